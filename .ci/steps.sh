@@ -18,6 +18,22 @@ blame_tests() {
   done
 }
 
+# ask_engines <scenarios>: asks all that scripts/engines has installed. Fails if check-oracle names
+# a mistake of an adapter; a fault of an engine is none.
+ask_engines() {
+  local name command
+  sed 's/^"\(.*\)" = "\(.*\)"$/\1\t\2/' build/engines/oracles.toml |
+    while IFS=$'\t' read -r name command; do
+      echo "$name"
+      # Exit code 1 is a fault of an engine; a mistake is named by a line that starts so.
+      build/release/cli/touchstone check-oracle -- "$command" >build/engines/check.log || [ $? = 1 ]
+      ! grep -E '^  ✗ (it|its|the axis) ' build/engines/check.log ||
+        { blame "$name" "touchstone check-oracle -- $command"; return 1; }
+    done
+  build/release/cli/touchstone run "$1" --oracles build/engines/oracles.toml --quiet \
+    --fail-on subject --out build/engines/run
+}
+
 # chosen_steps <script> <step>... -- <argument>...: sets `chosen` to the steps that the
 # arguments name, or to all. Ends the script for --help and for an unknown step.
 chosen_steps() {

@@ -128,7 +128,11 @@ void OracleRegistry::Add(std::unique_ptr<Oracle> oracle) {
   if (Find(name) != nullptr) {
     throw std::invalid_argument("an oracle named \"" + name + "\" already exists");
   }
-  oracles_.push_back(std::move(oracle));
+  const auto last = std::find_if(
+      oracles_.rbegin(), oracles_.rend(),
+      [&](const auto& other) { return other->info().library == oracle->info().library; });
+  oracles_.insert(last == oracles_.rend() ? oracles_.end() : last.base(),
+                  std::move(oracle));
 }
 
 void OracleRegistry::AddMissing(MissingOracle missing) {

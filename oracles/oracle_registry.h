@@ -18,7 +18,8 @@ struct MissingOracle {
   std::string how_to_get;
 };
 
-/** The available oracles, by name, in the order in which they were added. */
+/** The available oracles, by name, in the order in which they were added; those of one
+ library, such as its versions, stand together. */
 class OracleRegistry {
  public:
   /** Returns every oracle that this build has, and records those that it lacks. Among the
@@ -26,7 +27,7 @@ class OracleRegistry {
    "printed:E-04" and "printed:none", are created on the first Find(). */
   static OracleRegistry BuiltIn();
 
-  /** Adds a user's oracle.
+  /** Adds a user's oracle, after the others of its library if there are any.
    @throws std::invalid_argument if the name exists already. */
   void Add(std::unique_ptr<Oracle> oracle);
 

@@ -26,6 +26,11 @@ enum BulletParameter : std::size_t {
   kBulletRestitutionThreshold,
   kBulletMargin,
   kBulletSleeping,
+  kBulletContinuous,
+  kBulletSweptRadius,
+  kBulletGyroscopic,
+  kBulletRollingFriction,
+  kBulletSpinningFriction,
   kBulletParameters,
 };
 

@@ -129,7 +129,6 @@ std::vector<Setting> WorldSettings() {
        "gCalculateCombinedRestitutionCallback; Bullet's default is the product."},
       {"world: friction", "sqrt(mu_A mu_B)",
        "gCalculateCombinedFrictionCallback; Bullet's default is the product."},
-      {"world: gyroscopic term", "implicit, body frame", "Bullet's default."},
       {"world: damping", "0", "Bullet's default."},
       {"world: inertia", "as stated, else that of the uniform solid",
        "Passed to Bullet, which does not compute it."},
@@ -240,6 +239,32 @@ std::vector<WorldParameter> ParametersOf(BulletPrecision precision) {
           "whether bodies slower than 0.8 m/s and 1 rad/s for 2 s are stopped; "
           "DISABLE_DEACTIVATION if not",
       .why = "A body that falls asleep loses its momentum."};
+  const auto like_bullet = [&](BulletParameter index, std::string name, double shipped,
+                               double most, bool whole, std::string what) {
+    parameters[index] = {.name = std::move(name),
+                         .here = shipped,
+                         .shipped = shipped,
+                         .least = 0,
+                         .most = most,
+                         .whole = whole,
+                         .what = std::move(what),
+                         .why = ""};
+  };
+  like_bullet(
+      kBulletContinuous, "ccd_threshold", 0, 1e3, false,
+      "motion in m in a step beyond which a body is stopped at its first contact, "
+      "0: never; setCcdMotionThreshold");
+  like_bullet(kBulletSweptRadius, "ccd_radius", 0, 1e3, false,
+              "radius in m of the ball that is swept for it; setCcdSweptSphereRadius");
+  like_bullet(kBulletGyroscopic, "gyroscopic", 3, 3, true,
+              "gyroscopic term: 0 none, 1 explicit, 2 implicit in the world frame, 3 "
+              "implicit in the body frame; BT_ENABLE_GYROSCOPIC_FORCE_…");
+  like_bullet(
+      kBulletRollingFriction, "rolling_friction", 0, 1e3, false,
+      "lever in m, times the friction of the other body, of the torque that brakes "
+      "rolling; setRollingFriction");
+  like_bullet(kBulletSpinningFriction, "spinning_friction", 0, 1e3, false,
+              "the same for spin about the normal; setSpinningFriction");
   return parameters;
 }
 

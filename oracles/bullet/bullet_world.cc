@@ -1,6 +1,8 @@
 #include "oracles/bullet/bullet_world.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 
@@ -11,6 +13,11 @@ namespace {
 
 // Collision filter groups: static bodies do not collide with static bodies.
 enum Group { kNobody = 0, kMoving = 1, kStatic = 2 };
+
+// The flag of each value of kBulletGyroscopic.
+constexpr std::array<int, 4> kGyroscopic = {0, BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT,
+                                            BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD,
+                                            BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY};
 
 btScalar Restitution(const btCollisionObject* A, const btCollisionObject* B) {
   return std::min(A->getRestitution(), B->getRestitution());
@@ -53,6 +60,11 @@ void BulletWorld::SetUp(const std::vector<double>& values) {
   const bool sleeps = values[kBulletSleeping] != 0;
   for (const auto& body : bodies_) {
     body->setContactProcessingThreshold(threshold);
+    body->setCcdMotionThreshold(ToBullet(values[kBulletContinuous]));
+    body->setCcdSweptSphereRadius(ToBullet(values[kBulletSweptRadius]));
+    body->setRollingFriction(ToBullet(values[kBulletRollingFriction]));
+    body->setSpinningFriction(ToBullet(values[kBulletSpinningFriction]));
+    body->setFlags(kGyroscopic[static_cast<std::size_t>(values[kBulletGyroscopic])]);
     if (!sleeps) body->setActivationState(DISABLE_DEACTIVATION);
   }
 }

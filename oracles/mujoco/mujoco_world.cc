@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -31,6 +32,9 @@ enum Parameter : std::size_t {
   kEllipticCone,
   kIterations,
   kSolverTolerance,
+  kMargin,
+  kNoSlipIterations,
+  kFrictionRatio,
   kParameters,
 };
 
@@ -205,7 +209,9 @@ class MujocoSimulation final : public Simulation {
     option.tolerance = values_[kSolverTolerance];
     option.iterations = static_cast<int>(values_[kIterations]);
     option.enableflags |= mjENBL_OVERRIDE;
-    option.o_margin = 0;
+    option.o_margin = values_[kMargin];
+    option.noslip_iterations = static_cast<int>(values_[kNoSlipIterations]);
+    option.impratio = values_[kFrictionRatio];
     const double d = values_[kImpedance];
     option.o_solimp[0] = values_[kLeastImpedance];  // The others keep MuJoCo's defaults.
     option.o_solimp[1] = d;
@@ -349,6 +355,25 @@ std::vector<WorldParameter> Parameters() {
                                   .why =
                                       "The residual of MuJoCo's default would hide its "
                                       "contact law."};
+  const auto like_mujoco = [&](Parameter index, std::string name, double shipped,
+                               double least, double most, bool whole, std::string what) {
+    parameters[index] = {.name = std::move(name),
+                         .here = shipped,
+                         .shipped = shipped,
+                         .least = least,
+                         .most = most,
+                         .whole = whole,
+                         .what = std::move(what),
+                         .why = ""};
+  };
+  like_mujoco(kMargin, "margin", 0, 0, 1e3, false,
+              "distance in m at which contacts begin to act; mjOption::o_margin");
+  like_mujoco(
+      kNoSlipIterations, "noslip_iterations", 0, 0, 1e6, true,
+      "iterations of the solver that suppresses slip; mjOption::noslip_iterations");
+  like_mujoco(kFrictionRatio, "impratio", 1, 1e-3, 1e6, false,
+              "ratio of the impedance of friction to that of normal forces, in elliptic "
+              "cones; mjOption::impratio");
   return parameters;
 }
 
@@ -389,7 +414,6 @@ void DescribeMujocoWorlds(MujocoIntegrator integrator, OracleInfo& info) {
       {"world: friction", "sqrt(mu_A mu_B)",
        "Set by explicit pairs if bodies differ: MuJoCo's default is the larger one."},
       {"world: friction of spin and roll", "none", "condim 3; 1 where friction is 0."},
-      {"world: contact margin", "0", "MuJoCo's default."},
       {"world: convex hull", "mesh", "MuJoCo stores its vertices in single precision."},
       {"world: distance joint", "equality of a tendon's length",
        "Between two sites; with joint_time 0 a fifth of its error is corrected in a "

@@ -24,6 +24,13 @@ enum Parameter : std::size_t {
   kContactErp,
   kJointErp,
   kConstraintForceMixing,
+  kRestitutionThreshold,
+  kSurfaceLayer,
+  kMaxCorrectingVelocity,
+  kGyroscopic,
+  kFiniteRotation,
+  kRollingFriction,
+  kSpinningFriction,
   kIterations,
 };
 
@@ -65,7 +72,7 @@ class OdeSimulation final : public Simulation {
   OdeSimulation(const World& world, OdeStepper stepper, std::span<const double> values)
       : question_(world),
         stepper_(stepper),
-        contact_erp_(values[kContactErp]),
+        values_(values.begin(), values.end()),
         threading_(dThreadingAllocateSelfThreadedImplementation()),
         world_(dWorldCreate()),
         contact_joints_(dJointGroupCreate(0)),
@@ -79,6 +86,8 @@ class OdeSimulation final : public Simulation {
     dWorldSetGravity(world_.get(), g.x(), g.y(), g.z());
     dWorldSetERP(world_.get(), values[kJointErp]);
     dWorldSetCFM(world_.get(), values[kConstraintForceMixing]);
+    dWorldSetContactSurfaceLayer(world_.get(), values[kSurfaceLayer]);
+    dWorldSetContactMaxCorrectingVel(world_.get(), values[kMaxCorrectingVelocity]);
     if (stepper == OdeStepper::kQuickStep) {
       dWorldSetQuickStepNumIterations(world_.get(),
                                       static_cast<int>(values[kIterations]));
@@ -183,6 +192,8 @@ class OdeSimulation final : public Simulation {
       const Vector3d I = InertiaOf(asked);
       dMassSetParameters(&mass, asked.mass, 0, 0, 0, I.x(), I.y(), I.z(), 0, 0, 0);
       dBodySetMass(body, &mass);
+      dBodySetGyroscopicMode(body, values_[kGyroscopic] != 0 ? 1 : 0);
+      dBodySetFiniteRotationMode(body, values_[kFiniteRotation] != 0 ? 1 : 0);
       const Eigen::Matrix3d& R = X_WB.R_WB;
       const dMatrix3 rows = {R(0, 0), R(0, 1), R(0, 2), 0,  //
                              R(1, 0), R(1, 1), R(1, 2), 0,  //
@@ -252,8 +263,14 @@ class OdeSimulation final : public Simulation {
     contact.surface.mode = dContactBounce | dContactApprox1 | dContactSoftERP;
     contact.surface.mu = std::sqrt(A.friction * B.friction);
     contact.surface.bounce = std::min(A.restitution, B.restitution);
-    contact.surface.bounce_vel = 0;
-    contact.surface.soft_erp = contact_erp_;
+    contact.surface.bounce_vel = values_[kRestitutionThreshold];
+    contact.surface.soft_erp = values_[kContactErp];
+    if (values_[kRollingFriction] > 0 || values_[kSpinningFriction] > 0) {
+      contact.surface.mode |= dContactRolling;
+      contact.surface.rho = values_[kRollingFriction];
+      contact.surface.rho2 = values_[kRollingFriction];
+      contact.surface.rhoN = values_[kSpinningFriction];
+    }
     for (int i = 0; i < count; ++i) {
       contact.geom = geoms[static_cast<std::size_t>(i)];
       const dJointID joint =
@@ -266,7 +283,7 @@ class OdeSimulation final : public Simulation {
 
   World question_;
   OdeStepper stepper_;
-  double contact_erp_;
+  std::vector<double> values_;  // Values of the parameters.
   unsigned long seed_ = 0;
   Owned<dxThreadingImplementation> threading_;
   Owned<dxWorld> world_;
@@ -326,6 +343,34 @@ std::vector<WorldParameter> ParametersOf(OdeStepper stepper) {
       .why =
           "With 0, faces make the direct solver's matrix singular. A kilogram sinks "
           "at 1e-11 m/s."};
+  const auto like_ode = [&](std::size_t index, std::string name, double shipped,
+                            double most, bool whole, std::string what) {
+    parameters[index] = {.name = std::move(name),
+                         .here = shipped,
+                         .shipped = shipped,
+                         .least = 0,
+                         .most = most,
+                         .whole = whole,
+                         .what = std::move(what),
+                         .why = ""};
+  };
+  like_ode(kRestitutionThreshold, "restitution_threshold", 0, 1e3, false,
+           "approach in m/s below which nothing bounces; dSurfaceParameters::bounce_vel");
+  like_ode(kSurfaceLayer, "surface_layer", 0, 1e3, false,
+           "depth in m to which bodies may sink; dWorldSetContactSurfaceLayer");
+  like_ode(kMaxCorrectingVelocity, "max_correcting_velocity", 1e18, 1e18, false,
+           "greatest speed in m/s at which overlap is removed, without limit as shipped; "
+           "dWorldSetContactMaxCorrectingVel");
+  like_ode(kGyroscopic, "gyroscopic", 1, 1, true,
+           "whether the gyroscopic term acts; dBodySetGyroscopicMode");
+  like_ode(kFiniteRotation, "finite_rotation", 0, 1, true,
+           "whether a step turns a body by its whole angle, not by Euler's step; "
+           "dBodySetFiniteRotationMode");
+  like_ode(kRollingFriction, "rolling_friction", 0, 1e3, false,
+           "lever in m of the torque that brakes rolling; dSurfaceParameters::rho");
+  like_ode(kSpinningFriction, "spinning_friction", 0, 1e3, false,
+           "lever in m of the torque that brakes spin about the normal; "
+           "dSurfaceParameters::rhoN");
   if (stepper == OdeStepper::kStep) return parameters;
   parameters.push_back({.name = "iterations",
                         .here = 200,
@@ -375,7 +420,6 @@ void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info) {
        "dCreateConvex takes planes and polygons; MPR starts from the geom's origin."},
       {"world: restitution", "min(e_A, e_B)",
        "Set per contact: ODE leaves the rule to the user."},
-      {"world: restitution velocity threshold", "0", "bounce_vel."},
       {"world: friction", "sqrt(mu_A mu_B)", "Set per contact."},
       {"world: friction cone", "dContactApprox1",
        "Coulomb's law along each of two fixed directions: a square, not a circle."},
@@ -383,7 +427,6 @@ void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info) {
       {"world: spring", "dJointTypeDBall, ERP = hk/(hk+b), CFM = 1/(hk+b)",
        "The formulas of ODE's manual: an implicit step."},
       {"world: push", "velocities set", "ODE has no impulses."},
-      {"world: gyroscopic term", "on", "dBodySetGyroscopicMode, ODE's default."},
       {"world: damping, sleeping", "0, off", "ODE's default."},
       {"world: impulses", "force of dJointFeedback times the step", ""},
   };

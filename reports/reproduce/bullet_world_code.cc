@@ -1,3 +1,7 @@
+#include <array>
+#include <cstddef>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "reports/reproduce/bullet_text.h"
@@ -116,6 +120,25 @@ EngineCode BulletWorldCode(const World& world, const OracleInfo& oracle) {
   set("processing_threshold", fmt::format("for (const auto& body : bodies)\n"
                                           "    body->setContactProcessingThreshold({});",
                                           BulletScalar(value("processing_threshold"))));
+  const auto set_each = [&](const char* name, const char* setter,
+                            const std::string& argument) {
+    text.set_up += IfChanged(
+        oracle, name,
+        fmt::format("for (const auto& body : bodies) body->{}({});", setter, argument));
+  };
+  for (const auto& [name, setter] :
+       {std::pair("ccd_threshold", "setCcdMotionThreshold"),
+        std::pair("ccd_radius", "setCcdSweptSphereRadius"),
+        std::pair("rolling_friction", "setRollingFriction"),
+        std::pair("spinning_friction", "setSpinningFriction")}) {
+    set_each(name, setter, BulletScalar(value(name)));
+  }
+  constexpr std::array<const char*, 4> kGyroscopic = {
+      "0", "BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT",
+      "BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD",
+      "BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY"};
+  set_each("gyroscopic", "setFlags",
+           kGyroscopic[static_cast<std::size_t>(whole("gyroscopic"))]);
   text.step = kStep;
   text.read = kRead;
   text.clean_up = kCleanUp;

@@ -87,12 +87,36 @@ std::string Numbers(const Eigen::Vector3d& v) {
   return fmt::format("{} {} {}", v.x(), v.y(), v.z());
 }
 
-std::string GeomText(const Shape& shape) {
+/** Returns the attributes of a shape; a hull is the mesh of the body's number. */
+std::string GeomText(const Shape& shape, std::size_t i) {
   if (const auto* sphere = std::get_if<Sphere>(&shape))
     return fmt::format(R"(type="sphere" size="{}")", sphere->radius);
   if (const auto* box = std::get_if<Box>(&shape))
     return fmt::format(R"(type="box" size="{}")", Numbers(box->half_extents));
+  if (const auto* capsule = std::get_if<Capsule>(&shape))
+    return fmt::format(R"(type="capsule" size="{} {}")", capsule->radius,
+                       capsule->half_length);
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape))
+    return fmt::format(R"(type="cylinder" size="{} {}")", cylinder->radius,
+                       cylinder->half_length);
+  if (std::holds_alternative<ConvexHull>(shape))
+    return fmt::format(R"(type="mesh" mesh="m{}")", i);
   return R"(type="plane" size="0 0 1")";
+}
+
+/** Returns the vertices of all hulls that collide, or nothing. */
+std::string AssetText(const World& world) {
+  std::string meshes;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const RigidBody& body = world.bodies[i];
+    const auto* hull = std::get_if<ConvexHull>(&body.placed.shape);
+    if (!hull || !body.collides) continue;
+    std::string vertices;
+    for (const Eigen::Vector3d& vertex : hull->vertices)
+      vertices += Numbers(vertex) + "  ";
+    meshes += fmt::format("    <mesh name=\"m{}\" vertex=\"{}\"/>\n", i, vertices);
+  }
+  return meshes.empty() ? "" : fmt::format("  <asset>\n{}  </asset>\n", meshes);
 }
 
 std::string PlaceText(const Pose& X_WB) {
@@ -112,7 +136,7 @@ std::string BodyText(std::size_t i, const RigidBody& body) {
   std::string geom;
   if (body.collides) {
     geom = fmt::format(R"(    <geom name="g{}" {} {}condim="{}" friction="{} 0 0"/>)", i,
-                       GeomText(body.placed.shape), moves ? "" : place + " ",
+                       GeomText(body.placed.shape, i), moves ? "" : place + " ",
                        DimensionOf(body.friction), body.friction) +
            "\n";
   }
@@ -149,8 +173,9 @@ std::string ModelText(const World& world) {
     one_friction &= body.friction == world.bodies.front().friction;
   // Without pairs MuJoCo takes the larger friction of two geoms.
   const std::string pairs = one_friction ? "" : PairsText(world);
-  std::string text = fmt::format("{}  <option collision=\"{}\"/>\n  <worldbody>\n",
-                                 kModel, pairs.empty() ? "dynamic" : "predefined");
+  std::string text =
+      fmt::format("{}  <option collision=\"{}\"/>\n{}  <worldbody>\n", kModel,
+                  pairs.empty() ? "dynamic" : "predefined", AssetText(world));
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
     text += BodyText(i, world.bodies[i]);
   text += "  </worldbody>\n";
@@ -183,8 +208,7 @@ EngineCode MujocoWorldCode(const World& world, const OracleInfo& oracle) {
   };
   text.set_up = fmt::format(
       "{}  option.integrator = {};\n"
-      "  option.enableflags |= mjENBL_OVERRIDE;  // o_* are for all contacts.\n"
-      "  option.o_margin = 0;\n",
+      "  option.enableflags |= mjENBL_OVERRIDE;  // o_* are for all contacts.\n",
       kMake, integrator);
   set("elliptic_cone",
       fmt::format("option.cone = {};",
@@ -197,6 +221,13 @@ EngineCode MujocoWorldCode(const World& world, const OracleInfo& oracle) {
       fmt::format("option.o_solimp[0] = {};", Literal(value("least_impedance"))));
   set("impedance", fmt::format("option.o_solimp[1] = {};", Literal(value("impedance"))));
   set("contact_time", StiffnessText(value("contact_time"), value("impedance")));
+  set("margin", fmt::format("option.o_margin = {};", Literal(value("margin"))));
+  text.set_up += IfChanged(oracle, "noslip_iterations",
+                           fmt::format("option.noslip_iterations = {};",
+                                       static_cast<int>(value("noslip_iterations"))));
+  text.set_up +=
+      IfChanged(oracle, "impratio",
+                fmt::format("option.impratio = {};", Literal(value("impratio"))));
   text.set_up += kStart;
   text.step = kStep;
   text.read = kRead;

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "reports/reproduce/cpp_text.h"
@@ -27,7 +29,6 @@ void Collide(void* data, dGeomID a, dGeomID b) {
   contact.surface.mode = dContactBounce | dContactApprox1 | dContactSoftERP;
   contact.surface.mu = std::sqrt(A.friction * B.friction);
   contact.surface.bounce = std::min(A.restitution, B.restitution);
-  contact.surface.bounce_vel = 0;
 )";
 
 constexpr const char* kJoints = R"(  for (int i = 0; i < count; ++i) {
@@ -125,13 +126,29 @@ EngineCode OdeWorldCode(const World& world, const OracleInfo& oracle) {
         oracle, name,
         fmt::format(fmt::runtime(statement), Literal(ValueOf(oracle, name))));
   };
+  const auto if_changed = [&](const char* name, const char* statement) {
+    return IfChanged(
+        oracle, name,
+        fmt::format(fmt::runtime(statement), Literal(ValueOf(oracle, name))));
+  };
   EngineCode code;
   code.includes = "#include <deque>\n\n#include <ode/ode.h>\n";
-  code.definitions =
-      kCollide + set("contact_erp", "contact.surface.soft_erp = {};") + kJoints;
+  code.definitions = kCollide +
+                     set("restitution_threshold", "contact.surface.bounce_vel = {};") +
+                     set("contact_erp", "contact.surface.soft_erp = {};") +
+                     if_changed("rolling_friction",
+                                "contact.surface.mode |= dContactRolling;\n"
+                                "  contact.surface.rho = contact.surface.rho2 = {};") +
+                     if_changed("spinning_friction",
+                                "contact.surface.mode |= dContactRolling;\n"
+                                "  contact.surface.rhoN = {};") +
+                     kJoints;
   SimulationText text;
   text.set_up = kSetUp + set("joint_erp", "dWorldSetERP(world, {});") +
-                set("cfm", "dWorldSetCFM(world, {});");
+                set("cfm", "dWorldSetCFM(world, {});") +
+                if_changed("surface_layer", "dWorldSetContactSurfaceLayer(world, {});") +
+                if_changed("max_correcting_velocity",
+                           "dWorldSetContactMaxCorrectingVel(world, {});");
   if (is_quick) {
     text.set_up +=
         Explained(oracle, "iterations",
@@ -144,6 +161,15 @@ EngineCode OdeWorldCode(const World& world, const OracleInfo& oracle) {
   for (const RigidBody& body : world.bodies)
     text.set_up += fmt::format("      {},\n", GeomText(body));
   text.set_up += fmt::format("  }};\n{}", kBodies);
+  for (const auto& [name, setter] :
+       {std::pair("gyroscopic", "dBodySetGyroscopicMode"),
+        std::pair("finite_rotation", "dBodySetFiniteRotationMode")}) {
+    text.set_up +=
+        IfChanged(oracle, name,
+                  fmt::format("for (const dBodyID body : bodies)\n"
+                              "    if (body != nullptr) {}(body, {});",
+                              setter, static_cast<int>(ValueOf(oracle, name))));
+  }
   const char* const stepper = is_quick ? "dWorldQuickStep" : "dWorldStep";
   text.step = fmt::format("{}      {}(world, kStep);\n", kStep, stepper);
   text.read = kRead;

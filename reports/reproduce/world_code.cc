@@ -103,6 +103,9 @@ EngineCode WorldCodeOf(const World& world, const OracleInfo& oracle) {
   Refuse(!world.joints.empty(), "distance joints");
   Refuse(!world.cloths.empty(), "cloths");
   Refuse(!world.pushes.empty(), "pushes");
+  if (oracle.external)
+    throw CannotReproduce(fmt::format(
+        "{} is a program of its own; expected an oracle of this build", oracle.name));
   if (oracle.library == "ODE") return OdeWorldCode(world, oracle);
   if (oracle.library == "Bullet") return BulletWorldCode(world, oracle);
   if (oracle.library == "MuJoCo") return MujocoWorldCode(world, oracle);
@@ -136,6 +139,12 @@ std::string SimulateText(const SimulationText& text) {
 double ValueOf(const OracleInfo& oracle, std::string_view name) {
   const WorldParameter& parameter = ParameterNamed(oracle, name);
   return ValuesOf({&parameter, 1}, oracle.setup).front();
+}
+
+std::string IfChanged(const OracleInfo& oracle, std::string_view name,
+                      std::string_view statement) {
+  const bool changed = ValueOf(oracle, name) != ParameterNamed(oracle, name).shipped;
+  return changed ? Explained(oracle, name, statement) : "";
 }
 
 std::string Explained(const OracleInfo& oracle, std::string_view name,

@@ -51,4 +51,8 @@ double ValueOf(const OracleInfo& oracle, std::string_view name);
 std::string Explained(const OracleInfo& oracle, std::string_view name,
                       std::string_view statement);
 
+/** The same, but nothing if the parameter has its default in the engine. */
+std::string IfChanged(const OracleInfo& oracle, std::string_view name,
+                      std::string_view statement);
+
 }  // namespace touchstone

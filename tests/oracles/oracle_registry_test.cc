@@ -16,7 +16,10 @@ namespace {
 /** An oracle with a name that answers nothing. */
 class Named : public Oracle {
  public:
-  explicit Named(std::string name) { info_.name = std::move(name); }
+  explicit Named(std::string name, std::string library = "") {
+    info_.name = std::move(name);
+    info_.library = std::move(library);
+  }
   const OracleInfo& info() const override { return info_; }
   void Answer(std::span<const ContactQuery>, std::span<ContactAnswer>) const override {}
 
@@ -51,6 +54,19 @@ TEST(OracleRegistry, FindsExactNamesOnlyAndKeepsTheOrder) {
   EXPECT_EQ(registry.Find("alpha")->info().name, "alpha");
   EXPECT_EQ(registry.Find("beta"), nullptr);
   EXPECT_EQ(NamesOf(registry.All()), (std::vector<std::string>{"beta/collide", "alpha"}));
+}
+
+TEST(OracleRegistry, KeepsTheVersionsOfALibraryTogether) {
+  OracleRegistry registry;
+  registry.Add(std::make_unique<Named>("alpha", "Alpha"));
+  registry.Add(std::make_unique<Named>("beta", "Beta"));
+  registry.Add(std::make_unique<Named>("gamma", "Gamma"));
+  registry.Add(std::make_unique<Named>("beta@2", "Beta"));
+  registry.Add(std::make_unique<Named>("alpha@2", "Alpha"));
+  registry.Add(std::make_unique<Named>("beta@3", "Beta"));
+  EXPECT_EQ(NamesOf(registry.All()),
+            (std::vector<std::string>{"alpha", "alpha@2", "beta", "beta@2", "beta@3",
+                                      "gamma"}));
 }
 
 TEST(OracleRegistry, RefusesANameThatExistsAndKeepsTheFirst) {

@@ -54,6 +54,11 @@ class WorldReproductionTest : public testing::Test {
     oracle_.library = "ODE";
     oracle_.parameters = {Parameter("contact_erp", 0.125), Parameter("joint_erp", 0.5),
                           Parameter("cfm", 0.75), Parameter("iterations", 20)};
+    for (const char* name :
+         {"restitution_threshold", "surface_layer", "max_correcting_velocity",
+          "gyroscopic", "finite_rotation", "rolling_friction", "spinning_friction"}) {
+      oracle_.parameters.push_back(Parameter(name, 0.5));  // As shipped.
+    }
     finding_.measure = MeasureKind::kPenetration;
     finding_.law = "never_penetrates";
     finding_.universal = true;
@@ -101,6 +106,21 @@ TEST_F(WorldReproductionTest, ExplainsAChangedParameterOnly) {
                                  "  dWorldSetERP"));
 }
 
+TEST_F(WorldReproductionTest, SetsWhatHasItsDefaultHereOnlyWhereItIsChosen) {
+  EXPECT_THAT(Program(), AllOf(Not(HasSubstr("dContactRolling;")),
+                               Not(HasSubstr("dBodySetGyroscopicMode"))));
+  oracle_.setup.chosen = {{"gyroscopic", 0}, {"rolling_friction", 0.125}};
+  EXPECT_THAT(Program(), AllOf(HasSubstr("contact.surface.mode |= dContactRolling;"),
+                               HasSubstr("contact.surface.rho2 = 0.125;"),
+                               HasSubstr("dBodySetGyroscopicMode(body, 0);")));
+}
+
+TEST_F(WorldReproductionTest, RefusesAProgramOfAUserThatHasTheSameLibrary) {
+  oracle_.name = "ode@2";
+  oracle_.external = true;
+  EXPECT_THAT(Reason(), HasSubstr("is a program of its own"));
+}
+
 TEST_F(WorldReproductionTest, StepsQuickStepFromTheSameSeed) {
   oracle_.name = "ode/quick";
   EXPECT_THAT(Program(), AllOf(HasSubstr("dWorldQuickStep(world, kStep);"),
@@ -113,10 +133,15 @@ class MujocoWorldReproductionTest : public WorldReproductionTest {
   MujocoWorldReproductionTest() {
     oracle_.name = "mujoco";
     oracle_.library = "MuJoCo";
-    oracle_.parameters = {
-        Parameter("contact_time", 0),        Parameter("least_impedance", 0.875),
-        Parameter("impedance", 0.75),        Parameter("elliptic_cone", 1),
-        Parameter("solver_tolerance", 0.25), Parameter("iterations", 0.5)};
+    oracle_.parameters = {Parameter("contact_time", 0),
+                          Parameter("least_impedance", 0.875),
+                          Parameter("impedance", 0.75),
+                          Parameter("elliptic_cone", 1),
+                          Parameter("solver_tolerance", 0.25),
+                          Parameter("iterations", 0.5),
+                          Parameter("margin", 0),
+                          Parameter("noslip_iterations", 0.5),
+                          Parameter("impratio", 0.5)};
   }
 };
 
@@ -143,6 +168,18 @@ TEST_F(MujocoWorldReproductionTest, IntegratesAsTheOracleDoes) {
   EXPECT_THAT(Program(), HasSubstr("option.integrator = mjINT_EULER;"));
   oracle_.name = "mujoco/rk4";
   EXPECT_THAT(Program(), HasSubstr("option.integrator = mjINT_RK4;"));
+}
+
+TEST_F(MujocoWorldReproductionTest, MakesEveryShape) {
+  world().bodies[1].placed.shape = Capsule{0.5, 0.25};
+  EXPECT_THAT(Program(), HasSubstr(R"(type="capsule" size="0.5 0.25")"));
+  world().bodies[1].placed.shape = Cylinder{0.5, 0.75};
+  EXPECT_THAT(Program(), AllOf(HasSubstr(R"(type="cylinder" size="0.5 0.75")"),
+                               Not(HasSubstr("<asset>"))));
+  world().bodies[1].placed.shape =
+      ConvexHull{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+  EXPECT_THAT(Program(), AllOf(HasSubstr(R"(type="mesh" mesh="m1")"),
+                               HasSubstr(R"(<mesh name="m1" vertex="1 0 0  -1 0 0  )")));
 }
 
 TEST_F(MujocoWorldReproductionTest, NamesPairsOnlyIfFrictionsDiffer) {
