@@ -36,7 +36,7 @@ TEST(MotionStore, KeepsMotionsBitForBitInAnyOrder) {
   std::vector<MotionStore::Place> places;
   places.reserve(samples.size());
   for (const int count : samples) places.push_back(store.Keep(Motion(count)));
-  for (const std::size_t i : {2, 0, 3, 1})
+  for (const std::size_t i : {2U, 0U, 3U, 1U})
     EXPECT_EQ(ToWire(store.Take(places[i])), ToWire(Motion(samples[i]))) << i;
 }
 
