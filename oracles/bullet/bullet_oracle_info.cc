@@ -264,7 +264,8 @@ std::vector<WorldParameter> ParametersOf(BulletPrecision precision) {
       "lever in m, times the friction of the other body, of the torque that brakes "
       "rolling; setRollingFriction");
   like_bullet(kBulletSpinningFriction, "spinning_friction", 0, 1e3, false,
-              "the same for spin about the normal; setSpinningFriction");
+              "the same for spin about the normal, where rolling_friction is not 0; "
+              "setSpinningFriction");
   return parameters;
 }
 

@@ -171,15 +171,17 @@ TEST_F(MujocoWorldReproductionTest, IntegratesAsTheOracleDoes) {
 }
 
 TEST_F(MujocoWorldReproductionTest, MakesEveryShape) {
-  world().bodies[1].placed.shape = Capsule{0.5, 0.25};
+  RigidBody& third = world().bodies.emplace_back(world().bodies.back());
+  third.name = "third";
+  third.placed.shape = Capsule{0.5, 0.25};
   EXPECT_THAT(Program(), HasSubstr(R"(type="capsule" size="0.5 0.25")"));
-  world().bodies[1].placed.shape = Cylinder{0.5, 0.75};
+  third.placed.shape = Cylinder{0.5, 0.75};
   EXPECT_THAT(Program(), AllOf(HasSubstr(R"(type="cylinder" size="0.5 0.75")"),
                                Not(HasSubstr("<asset>"))));
-  world().bodies[1].placed.shape =
+  third.placed.shape =
       ConvexHull{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
-  EXPECT_THAT(Program(), AllOf(HasSubstr(R"(type="mesh" mesh="m1")"),
-                               HasSubstr(R"(<mesh name="m1" vertex="1 0 0  -1 0 0  )")));
+  EXPECT_THAT(Program(), AllOf(HasSubstr(R"(type="mesh" mesh="m2")"),
+                               HasSubstr(R"(<mesh name="m2" vertex="1 0 0  -1 0 0  )")));
 }
 
 TEST_F(MujocoWorldReproductionTest, NamesPairsOnlyIfFrictionsDiffer) {
