@@ -1,12 +1,17 @@
 #include "reports/worlds/study/doubt_expectations.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
+#include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/study/judge_expectation.h"
+#include "reports/worlds/study/untouched.h"
 #include "scenarios/diagnostic.h"
 
 namespace touchstone {
@@ -20,6 +25,14 @@ struct Agreement {
   std::size_t a;  ///< Index into the oracles.
   std::size_t b;
   double apart;  ///< In the unit of what is expected.
+  /** In one of them nothing has acted on the body. Engines that miss a contact agree in
+   this as well as engines that are right, so it is no evidence for either. */
+  bool untouched;
+
+  /** Returns whether this one is the better evidence. */
+  bool operator<(const Agreement& other) const {
+    return std::pair(untouched, apart) < std::pair(other.untouched, other.apart);
+  }
 };
 
 /** What all engines say about one expectation. */
@@ -39,7 +52,8 @@ class Expectation {
         findings_.push_back(&finding);
   }
 
-  /** Returns the pair that agrees best; nothing if an engine meets the expectation. */
+  /** Returns the pair that is the best evidence; nothing if an engine meets the
+   expectation. */
   std::optional<Agreement> AgainstTheFile() const {
     const bool is_met = std::ranges::any_of(findings_, [](const Finding* finding) {
       return finding->verdict != Verdict::kFail;
@@ -51,17 +65,19 @@ class Expectation {
         const std::size_t a = OracleOf(*first);
         const std::size_t b = OracleOf(*second);
         if (oracles_[a].library == oracles_[b].library) continue;
+        const double agree = ToAgree(std::min(first->value, second->value));
         const std::optional<double> apart = Apart(a, b);
-        if (!apart || !(*apart <= kAgreement * std::min(first->value, second->value)))
-          continue;
-        if (!best || *apart < best->apart) best = Agreement{a, b, *apart};
+        if (!apart || !(*apart <= agree)) continue;
+        const Agreement agreement{a, b, *apart, HasUntouched(a) || HasUntouched(b)};
+        if (!best || agreement < *best) best = agreement;
       }
     }
     return best;
   }
 
-  /** Withdraws the accusations, and returns the fault of the file. */
-  std::string Withdraw(const Agreement& agreement) const {
+  /** Withdraws the accusations. Returns the fault of the file, if it is shown to be at
+   fault. */
+  std::optional<std::string> Withdraw(const Agreement& agreement) const {
     const std::string agree = fmt::format(
         "{} and {} agree to {:.2g} {}", oracles_[agreement.a].name,
         oracles_[agreement.b].name, agreement.apart, UnitOf(findings_[0]->measure));
@@ -75,9 +91,13 @@ class Expectation {
       finding->shipped_because.clear();
       finding->study.reset();
       finding->proof.clear();
-      finding->tolerance_because =
-          fmt::format("no engine has what the file expects, and {}", agree);
+      finding->tolerance_because = fmt::format(
+          "no engine has what the file expects, and {}{}", agree,
+          agreement.untouched ? ", since in their motions nothing acts on it: either the "
+                                "file is wrong, or they miss what does"
+                              : "");
     }
+    if (agreement.untouched) return std::nullopt;
     std::string sentence = JudgedBy(agreement.a).proof;
     const std::size_t stop = sentence.find("; ");
     if (stop != std::string::npos) sentence.replace(stop, 2, ", but ");
@@ -86,6 +106,12 @@ class Expectation {
   }
 
  private:
+  /** Returns how far apart engines with errors of at least `error` may be. A touch that
+   never comes is infinitely late, and only another one like it agrees with it. */
+  static double ToAgree(double error) {
+    return std::isfinite(error) ? kAgreement * error : 0;
+  }
+
   std::size_t OracleOf(const Finding& finding) const {
     const auto is_it = [&](const OracleInfo& info) {
       return info.name == finding.oracle;
@@ -113,6 +139,32 @@ class Expectation {
     return JudgeExpectation(MotionOf(b), *met).value;
   }
 
+  /** Returns whether all that oracle `o` has done to what is expected, up to the moment
+   that decides, is nothing, although something could act on it. */
+  bool HasUntouched(std::size_t o) const {
+    const World& world = result_.scenario.world;
+    const auto colliding = std::ranges::count_if(
+        world.bodies, [](const RigidBody& body) { return body.collides; });
+    if (static_cast<std::size_t>(colliding) + world.particles.size() +
+                world.cloths.size() <
+            2 &&
+        world.springs.empty() && world.joints.empty() && world.pushes.empty())
+      return false;
+    const Motion motion = MotionOf(o);
+    if (const auto* states = std::get_if<ExpectedTrajectory>(&Stated().what)) {
+      return std::ranges::all_of(states->states, [&](const ReferenceState& state) {
+        return IsUntouched(motion, state.name, state.time);
+      });
+    }
+    double until = Stated().time;
+    if (std::holds_alternative<ExpectedTouch>(Stated().what)) {
+      // A touch shows in the motion after it.
+      const double touch = MetBy(motion, Stated())->time;
+      if (std::isfinite(touch)) until = std::max(until, touch) + SampleSpacing(world);
+    }
+    return IsUntouched(motion, Stated().body, until);
+  }
+
   std::string Place() const {
     const FilePlaces& places = result_.scenario.places;
     if (places.file.empty()) return result_.scenario.id;
@@ -136,8 +188,10 @@ std::vector<std::string> DoubtExpectations(const WorldResult& result,
   for (std::size_t i = 0; i < result.scenario.expectations.size(); ++i) {
     Expectation expectation(result, oracles, i);
     expectation.Take(findings);
-    if (const std::optional<Agreement> agreement = expectation.AgainstTheFile())
-      faults.push_back(expectation.Withdraw(*agreement));
+    const std::optional<Agreement> agreement = expectation.AgainstTheFile();
+    if (!agreement) continue;
+    if (std::optional<std::string> fault = expectation.Withdraw(*agreement))
+      faults.push_back(*std::move(fault));
   }
   return faults;
 }

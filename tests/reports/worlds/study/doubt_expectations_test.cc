@@ -15,9 +15,11 @@
 namespace touchstone {
 namespace {
 
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 
 /** An engine: its library, and where it has the ball, off the truth along z. [m] */
 using Engine = std::pair<std::string, double>;
@@ -91,6 +93,48 @@ TEST(DoubtExpectations, LeaveAnExpectationThatAnEngineMeets) {
   EXPECT_THAT(VerdictsOf(judged),
               ElementsAre(Verdict::kFail, Verdict::kFail, Verdict::kPass));
   EXPECT_THAT(judged.faults, IsEmpty());
+}
+
+/** The same flight, with a wall for which it may be bound. */
+WorldScenario FlightAtAWall(const Eigen::Vector3d& p_W) {
+  WorldScenario scenario = FlightTo(p_W);
+  scenario.world.bodies.push_back(BodyOf("wall", Box{{0.005, 2, 2}}, 0, {0.31, 0, 0}));
+  return scenario;
+}
+
+// All may have missed the wall. They are not accused, nor is the file.
+TEST(DoubtExpectations, AccuseNobodyIfEnginesAgreeOnlyInThatNothingActs) {
+  const Judged judged = Judge(FlightAtAWall({-0.1, 1, 0}), {{"A", 0}, {"B", 0}});
+  EXPECT_THAT(VerdictsOf(judged), Each(Verdict::kUndecidable));
+  for (const Finding& finding : judged.findings) {
+    EXPECT_EQ(finding.proof, "");
+    EXPECT_THAT(finding.tolerance_because, HasSubstr("nothing acts on it"));
+  }
+  EXPECT_THAT(judged.faults, IsEmpty());
+}
+
+// Those that agree best are untouched; two others are the better evidence.
+TEST(DoubtExpectations, BlameAFileIfEnginesAgreeInWhatActs) {
+  const Judged judged =
+      Judge(FlightAtAWall({-0.1, 1, 0}), {{"A", 0}, {"B", 0}, {"C", 0.7}, {"D", 0.701}});
+  EXPECT_THAT(VerdictsOf(judged), Each(Verdict::kUndecidable));
+  EXPECT_THAT(judged.faults,
+              ElementsAre(HasSubstr("engine3 and engine4 agree to 0.001 m.")));
+}
+
+// A thing that nothing can reach has its free motion for the truth.
+TEST(DoubtExpectations, BlameAFileIfNothingCollides) {
+  WorldScenario scenario = FlightAtAWall({-0.1, 1, 0});
+  scenario.world.bodies[1].collides = false;
+  EXPECT_THAT(Judge(scenario, {{"A", 0}, {"B", 0}}).faults, SizeIs(1));
+}
+
+// Its attitude is that of a free ball, but something has moved it.
+TEST(DoubtExpectations, LookAtTheWholeStateForWhatActs) {
+  WorldScenario scenario = FlightAtAWall({0, 0, 0});
+  scenario.expectations[0].what = ExpectedTopple{true};
+  EXPECT_THAT(Judge(scenario, {{"A", 0.7}, {"B", 0.7}}).faults, SizeIs(1));
+  EXPECT_THAT(Judge(scenario, {{"A", 0}, {"B", 0}}).faults, IsEmpty());
 }
 
 // Two builds of one library have the same faults.
