@@ -2,6 +2,9 @@
 
 #include <variant>
 
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/truth/mechanics.h"
+
 namespace touchstone {
 namespace {
 
@@ -66,6 +69,17 @@ bool Reach::MayTouch(std::size_t s, int A, int B) const {
   const Eigen::Vector3d& p_WB = CentreOf(s, b);
   const double rounding = kRounding * (p_WA.norm() + p_WB.norm());
   return !((p_WB - p_WA).norm() > bounds_[a].radius + bounds_[b].radius + rounding);
+}
+
+double WayAfter(const Motion& motion, std::size_t s, int body) {
+  const auto i = static_cast<std::size_t>(body);
+  const RigidBody& asked = motion.world.bodies[i];
+  if (asked.mass == 0) return 0;
+  const BodyState& is = motion.trajectory.samples[s].bodies[i];
+  const double speed =
+      is.v_WB.norm() + is.w_WB.norm() * BoundingRadius(asked.placed.shape);
+  const double spacing = SampleSpacing(motion.world);
+  return spacing * (speed + spacing * AccelerationOf(motion.world, asked).norm());
 }
 
 }  // namespace touchstone

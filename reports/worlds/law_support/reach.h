@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -40,5 +41,9 @@ class Reach {
   Motion motion_;
   std::vector<Bounds> bounds_;  ///< Indexed by body.
 };
+
+/** Returns a bound on the way of any point of `body` from sample `s` to the next, at the
+ velocity of that sample and under the body's loads. [m] */
+double WayAfter(const Motion& motion, std::size_t s, int body);
 
 }  // namespace touchstone

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -25,14 +27,6 @@ struct Agreement {
   std::size_t a;  ///< Index into the oracles.
   std::size_t b;
   double apart;  ///< In the unit of what is expected.
-  /** In one of them nothing has acted on the body. Engines that miss a contact agree in
-   this as well as engines that are right, so it is no evidence for either. */
-  bool untouched;
-
-  /** Returns whether this one is the better evidence. */
-  bool operator<(const Agreement& other) const {
-    return std::pair(untouched, apart) < std::pair(other.untouched, other.apart);
-  }
 };
 
 /** What all engines say about one expectation. */
@@ -52,35 +46,54 @@ class Expectation {
         findings_.push_back(&finding);
   }
 
-  /** Returns the pair that is the best evidence; nothing if an engine meets the
-   expectation. */
-  std::optional<Agreement> AgainstTheFile() const {
+  /** Withdraws the accusations if engines agree against the file. Returns the fault of
+   the file, if it is shown to be at fault. */
+  std::optional<std::string> Doubt() const {
     const bool is_met = std::ranges::any_of(findings_, [](const Finding* finding) {
       return finding->verdict != Verdict::kFail;
     });
     if (is_met) return std::nullopt;
+    // Engines that miss a contact agree as well as engines that are right.
+    std::vector<Finding*> evidence;
+    for (Finding* finding : findings_)
+      if (!MayMissWhatActs(OracleOf(*finding))) evidence.push_back(finding);
+    if (const std::optional<Agreement> agreement = BestOf(evidence)) {
+      Withdraw(InWords(*agreement));
+      return FaultOfFile(*agreement);
+    }
+    if (const std::optional<Agreement> agreement = BestOf(findings_)) {
+      Withdraw(InWords(*agreement) +
+               ", as they would if nothing acted on it: either the file is wrong, or "
+               "they miss what does");
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /** Returns those of two libraries that agree best; nothing if none agree. */
+  std::optional<Agreement> BestOf(const std::vector<Finding*>& findings) const {
     std::optional<Agreement> best;
-    for (const Finding* first : findings_) {
-      for (const Finding* second : findings_) {
+    for (const Finding* first : findings) {
+      for (const Finding* second : findings) {
         const std::size_t a = OracleOf(*first);
         const std::size_t b = OracleOf(*second);
         if (oracles_[a].library == oracles_[b].library) continue;
-        const double agree = ToAgree(std::min(first->value, second->value));
         const std::optional<double> apart = Apart(a, b);
-        if (!apart || !(*apart <= agree)) continue;
-        const Agreement agreement{a, b, *apart, HasUntouched(a) || HasUntouched(b)};
-        if (!best || agreement < *best) best = agreement;
+        if (!apart || !(*apart <= ToAgree(std::min(first->value, second->value))))
+          continue;
+        if (!best || *apart < best->apart) best = Agreement{a, b, *apart};
       }
     }
     return best;
   }
 
-  /** Withdraws the accusations. Returns the fault of the file, if it is shown to be at
-   fault. */
-  std::optional<std::string> Withdraw(const Agreement& agreement) const {
-    const std::string agree = fmt::format(
-        "{} and {} agree to {:.2g} {}", oracles_[agreement.a].name,
-        oracles_[agreement.b].name, agreement.apart, UnitOf(findings_[0]->measure));
+  std::string InWords(const Agreement& agreement) const {
+    return fmt::format("{} and {} agree to {:.2g} {}", oracles_[agreement.a].name,
+                       oracles_[agreement.b].name, agreement.apart,
+                       UnitOf(findings_[0]->measure));
+  }
+
+  void Withdraw(std::string_view agree) const {
     for (Finding* finding : findings_) {
       finding->verdict = Verdict::kUndecidable;
       finding->undecided = Undecided::kUnknown;
@@ -91,21 +104,19 @@ class Expectation {
       finding->shipped_because.clear();
       finding->study.reset();
       finding->proof.clear();
-      finding->tolerance_because = fmt::format(
-          "no engine has what the file expects, and {}{}", agree,
-          agreement.untouched ? ", since in their motions nothing acts on it: either the "
-                                "file is wrong, or they miss what does"
-                              : "");
+      finding->tolerance_because =
+          fmt::format("no engine has what the file expects, and {}", agree);
     }
-    if (agreement.untouched) return std::nullopt;
+  }
+
+  std::string FaultOfFile(const Agreement& agreement) const {
     std::string sentence = JudgedBy(agreement.a).proof;
     const std::size_t stop = sentence.find("; ");
     if (stop != std::string::npos) sentence.replace(stop, 2, ", but ");
     return fmt::format("{}: {}; none of {} engines meets this, and {}. Correct it.",
-                       Place(), sentence, findings_.size(), agree);
+                       Place(), sentence, findings_.size(), InWords(agreement));
   }
 
- private:
   /** Returns how far apart engines with errors of at least `error` may be. A touch that
    never comes is infinitely late, and only another one like it agrees with it. */
   static double ToAgree(double error) {
@@ -139,30 +150,21 @@ class Expectation {
     return JudgeExpectation(MotionOf(b), *met).value;
   }
 
-  /** Returns whether all that oracle `o` has done to what is expected, up to the moment
-   that decides, is nothing, although something could act on it. */
-  bool HasUntouched(std::size_t o) const {
-    const World& world = result_.scenario.world;
-    const auto colliding = std::ranges::count_if(
-        world.bodies, [](const RigidBody& body) { return body.collides; });
-    if (static_cast<std::size_t>(colliding) + world.particles.size() +
-                world.cloths.size() <
-            2 &&
-        world.springs.empty() && world.joints.empty() && world.pushes.empty())
-      return false;
+  /** Returns whether oracle `o` leaves the body alone, up to the moment that decides,
+   although something may act on it. */
+  bool MayMissWhatActs(std::size_t o) const {
     const Motion motion = MotionOf(o);
-    if (const auto* states = std::get_if<ExpectedTrajectory>(&Stated().what)) {
-      return std::ranges::all_of(states->states, [&](const ReferenceState& state) {
-        return IsUntouched(motion, state.name, state.time);
-      });
-    }
-    double until = Stated().time;
+    // Of a trajectory, the state that is farthest off.
+    const Cited cited = JudgedBy(o).cited;
+    double until = cited.time.value();
     if (std::holds_alternative<ExpectedTouch>(Stated().what)) {
       // A touch shows in the motion after it.
       const double touch = MetBy(motion, Stated())->time;
-      if (std::isfinite(touch)) until = std::max(until, touch) + SampleSpacing(world);
+      if (std::isfinite(touch))
+        until = std::max(until, touch) + SampleSpacing(motion.world);
     }
-    return IsUntouched(motion, Stated().body, until);
+    const std::string& name = cited.names.front();
+    return IsUntouched(motion, name, until) && MayBeTouched(motion, name, until);
   }
 
   std::string Place() const {
@@ -188,9 +190,7 @@ std::vector<std::string> DoubtExpectations(const WorldResult& result,
   for (std::size_t i = 0; i < result.scenario.expectations.size(); ++i) {
     Expectation expectation(result, oracles, i);
     expectation.Take(findings);
-    const std::optional<Agreement> agreement = expectation.AgainstTheFile();
-    if (!agreement) continue;
-    if (std::optional<std::string> fault = expectation.Withdraw(*agreement))
+    if (std::optional<std::string> fault = expectation.Doubt())
       faults.push_back(*std::move(fault));
   }
   return faults;

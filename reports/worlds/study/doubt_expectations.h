@@ -13,9 +13,11 @@ namespace touchstone {
 /** Looks for expectations of a world that no engine meets, although engines of two
  libraries agree with each other to a tenth of the error that they are accused of. Not
  they are the suspects but the file: its findings become undecidable and accuse nobody.
- Returns one fault of the file for each such expectation; none where all that the engines
- agree in is that nothing acts on the body, in a world where something could: that is also
- what engines have that miss a contact.
+ Returns one fault of the file for each such expectation.
+
+ An engine that leaves the body alone where something may act on it is no evidence: it may
+ have missed a contact. If only such engines agree, the findings become undecidable too,
+ and the file has no fault.
  @param oracles those of `result`, in its order.
  @param findings all findings of this world. */
 std::vector<std::string> DoubtExpectations(const WorldResult& result,

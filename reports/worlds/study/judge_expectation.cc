@@ -15,6 +15,7 @@
 #include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/overlap.h"
+#include "reports/worlds/law_support/reach.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
@@ -127,8 +128,8 @@ class Seen {
   double MeetAfter(std::size_t s, int A, int B) const {
     const double spacing = SampleSpacing(world_);
     const WorldState& state = motion_.trajectory.samples[s];
-    const double way = spacing * (SpeedOf(state, A) + SpeedOf(state, B)) +
-                       spacing * spacing * (LoadOn(A) + LoadOn(B)) + motion_.oracle.slop;
+    const double way =
+        WayAfter(motion_, s, A) + WayAfter(motion_, s, B) + motion_.oracle.slop;
     if (AreFarApart(PlacedAt(world_, state, A), PlacedAt(world_, state, B), way))
       return kNever;
     const Gap gap = GapBetween(world_, state, A, B);
@@ -141,13 +142,6 @@ class Seen {
     if (approach * spacing + loads * spacing * spacing < left) return kNever;
     // Two bodies that only the loads bring together meet by the next sample.
     return now + (approach > 0 ? std::min(left / approach, spacing) : spacing);
-  }
-
-  double SpeedOf(const WorldState& state, int index) const {
-    const auto i = static_cast<std::size_t>(index);
-    if (world_.bodies[i].mass == 0) return 0;
-    return state.bodies[i].v_WB.norm() +
-           state.bodies[i].w_WB.norm() * BoundingRadius(world_.bodies[i].placed.shape);
   }
 
   double LoadOn(int index) const {
