@@ -14,7 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Largest angle of a face to the plane it lies on; quaternions have 16 digits. [rad] */
+/** Largest sine of the angle between a face and the plane it lies on; quaternions have 16
+ digits. */
 constexpr double kFlat = 1e-9;
 
 /** A plane that never moves. */
@@ -81,20 +82,24 @@ struct Farthest {
 struct IsFlat {
   Vector3d down_B;  ///< Unit vector.
 
-  bool IsAlongAxis() const { return !(std::abs(down_B.z()) < 1 - kFlat); }
+  // The sine, not the cosine: that of a tilt of 4e-5 is 1 to 1e-9.
+  bool IsAlong(const Vector3d& axis_B) const {
+    return down_B.cross(axis_B).norm() <= kFlat;
+  }
+  bool IsAlongAxis() const { return IsAlong(Vector3d::UnitZ()); }
   bool IsAcrossAxis() const { return std::abs(down_B.z()) <= kFlat; }
 
   bool operator()(const Sphere&) const { return true; }
   bool operator()(const Box&) const {
-    return !(down_B.cwiseAbs().maxCoeff() < 1 - kFlat);
+    return IsAlong(Vector3d::UnitX()) || IsAlong(Vector3d::UnitY()) || IsAlongAxis();
   }
-  bool operator()(const Capsule&) const { return IsAlongAxis() || IsAcrossAxis(); }
+  bool operator()(const Capsule&) const { return IsAcrossAxis(); }
   bool operator()(const Cylinder&) const { return IsAlongAxis() || IsAcrossAxis(); }
-  bool operator()(const Cone&) const { return IsAlongAxis(); }
+  bool operator()(const Cone&) const { return down_B.z() < 0 && IsAlongAxis(); }
   bool operator()(const ConvexHull& s) const {
     const std::optional<ConvexFacets> boundary = BoundaryOf(s);
     return boundary && std::ranges::any_of(boundary->facets, [&](const ConvexFacet& f) {
-             return f.n_B.dot(down_B) >= 1 - kFlat && IsOverFace(*boundary, f);
+             return f.n_B.dot(down_B) > 0 && IsAlong(f.n_B) && IsOverFace(*boundary, f);
            });
   }
   bool operator()(const HalfSpace&) const { return false; }

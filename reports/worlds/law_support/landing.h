@@ -27,10 +27,10 @@ std::optional<Landing> LandingOf(const World& world, int body);
 /** Returns the same for a point at `p_W`, without restitution and friction. */
 std::optional<Landing> LandingOfPoint(const World& world, const Eigen::Vector3d& p_W);
 
-/** Returns whether `body` lands on a plane of normal `n_W` without being turned: the
- points that arrive first are below its centre of mass, or around the point that is. They
- are those of a face, of a side that is parallel to the plane, or one end of an axis that
- is normal to it. */
+/** Returns whether `body` lands on a plane of normal `n_W` without being turned: it is a
+ sphere, or a face or a side of it is parallel to the plane, below its centre of mass. A
+ capsule on its end and a cone on its apex do not lie flat: they balance on a point, and
+ an impact multiplies the tilt of a rounding by m l²/I, more at each bounce. */
 bool LiesFlat(const RigidBody& body, const Eigen::Vector3d& n_W);
 
 /** The arrival of a body at the plane that it faces. */

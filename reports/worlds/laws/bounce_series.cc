@@ -70,9 +70,9 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
 constinit const Law kBounceSeries = {
     .name = "bounce_series",
     .documentation =
-        "A sphere or a flat box falls straight onto a static plane and leaves each "
-        "bounce "
-        "with e times its speed.",
+        "A sphere, or a body that lies flat, falls straight onto a static plane and "
+        "leaves "
+        "each bounce with e times its speed.",
     .numbers = kNumbersOfFalls,
     .faults = Faults,
     .judge = Judge,

@@ -23,23 +23,44 @@ RigidBody TurnedAbout(const Shape& shape, const Vector3d& angle_W) {
 const Vector3d kUp = Vector3d::UnitY();
 constexpr double kRight = std::numbers::pi / 2;
 
-// The axis of these is z, so that they lie on their side.
-TEST(LiesFlat, IsTrueOfRoundBodiesOnTheirSideOrOnAnEndOnly) {
-  const std::vector<Shape> round = {Capsule{0.2, 0.5}, Cylinder{0.2, 0.5}};
-  for (const Shape& shape : round) {
-    EXPECT_TRUE(LiesFlat(TurnedAbout(shape, {0, 0.3, 0}), kUp));
-    EXPECT_TRUE(LiesFlat(TurnedAbout(shape, {kRight, 0, 0}), kUp));
-    EXPECT_TRUE(LiesFlat(TurnedAbout(shape, {-kRight, 0, 0}), kUp));
-    EXPECT_FALSE(LiesFlat(TurnedAbout(shape, {1e-3, 0, 0}), kUp));
-    EXPECT_FALSE(LiesFlat(TurnedAbout(shape, {kRight + 1e-3, 0, 0}), kUp));
+/** Returns whether `body` lies flat as it is and tilted by 1e-10 rad, and does not tilted
+ by a hundred times as much, about the x axis either way. */
+testing::AssertionResult LiesFlatToRoundings(const Shape& shape,
+                                             const Vector3d& angle_W) {
+  for (const double tilt : {0.0, 1e-10, -1e-10, 1e-8, -1e-8, 3e-5, 1e-3}) {
+    const RigidBody body = TurnedAbout(shape, angle_W + tilt * Vector3d::UnitX());
+    if (LiesFlat(body, kUp) != (std::abs(tilt) < 1e-9))
+      return testing::AssertionFailure() << "tilted by " << tilt;
   }
+  return testing::AssertionSuccess();
+}
+
+bool LiesFlatAtAnyTilt(const Shape& shape, const Vector3d& angle_W) {
+  for (const double tilt : {0.0, 1e-10, 1e-8, 1e-3})
+    if (LiesFlat(TurnedAbout(shape, angle_W + tilt * Vector3d::UnitX()), kUp))
+      return true;
+  return false;
+}
+
+// The axis of round bodies is z, so that they lie on their side.
+TEST(LiesFlat, IsTrueOfFacesAndSidesToRoundings) {
+  EXPECT_TRUE(LiesFlatToRoundings(Box{{0.1, 0.2, 0.3}}, {0, 0, 0}));
+  EXPECT_TRUE(LiesFlatToRoundings(Box{{0.1, 0.2, 0.3}}, {kRight, 0, 0}));
+  EXPECT_TRUE(LiesFlatToRoundings(Cylinder{0.2, 0.5}, {0, 0, 0}));
+  EXPECT_TRUE(LiesFlatToRoundings(Cylinder{0.2, 0.5}, {kRight, 0, 0}));
+  EXPECT_TRUE(LiesFlatToRoundings(Cylinder{0.2, 0.5}, {-kRight, 0, 0}));
+  EXPECT_TRUE(LiesFlatToRoundings(Capsule{0.2, 0.5}, {0, 0, 0}));
+  EXPECT_TRUE(LiesFlatToRoundings(Cone{0.2, 0.5}, {-kRight, 0, 0}));
+  EXPECT_TRUE(LiesFlat(TurnedAbout(Cylinder{0.2, 0.5}, {0, 0.3, 0}), kUp));
   EXPECT_TRUE(LiesFlat(TurnedAbout(Sphere{1}, {0.1, 0.2, 0.3}), kUp));
 }
 
-TEST(LiesFlat, IsTrueOfAConeOnItsBaseOrItsApexOnly) {
-  EXPECT_TRUE(LiesFlat(TurnedAbout(Cone{0.2, 0.5}, {-kRight, 0, 0}), kUp));
-  EXPECT_TRUE(LiesFlat(TurnedAbout(Cone{0.2, 0.5}, {kRight, 0, 0}), kUp));
-  EXPECT_FALSE(LiesFlat(TurnedAbout(Cone{0.2, 0.5}, {0, 0, 0}), kUp));
+// An impact would multiply a tilt of a rounding, more at each bounce.
+TEST(LiesFlat, IsFalseOfWhatBalancesOnAPoint) {
+  EXPECT_FALSE(LiesFlatAtAnyTilt(Capsule{0.2, 0.5}, {kRight, 0, 0}));
+  EXPECT_FALSE(LiesFlatAtAnyTilt(Capsule{0.2, 0.5}, {-kRight, 0, 0}));
+  EXPECT_FALSE(LiesFlatAtAnyTilt(Cone{0.2, 0.5}, {kRight, 0, 0}));
+  EXPECT_FALSE(LiesFlatAtAnyTilt(Cone{0.2, 0.5}, {0, 0, 0}));
 }
 
 TEST(LiesFlat, IsTrueOfAHullOnAFaceThatIsBelowItsCentreOfMass) {
@@ -49,6 +70,7 @@ TEST(LiesFlat, IsTrueOfAHullOnAFaceThatIsBelowItsCentreOfMass) {
         {{x + 1, -1, 1}, {x + 1, -1, -1}, {x - 1, -1, 1}, {x - 1, -1, -1}, {0, 2, 0}}};
   };
   EXPECT_TRUE(LiesFlat(TurnedAbout(pyramid(0.9), {0, 0.4, 0}), kUp));
+  EXPECT_TRUE(LiesFlatToRoundings(pyramid(0), {0, 0, 0}));
   EXPECT_FALSE(LiesFlat(TurnedAbout(pyramid(1.1), {0, 0.4, 0}), kUp));
   EXPECT_FALSE(LiesFlat(TurnedAbout(pyramid(0), {1e-3, 0, 0}), kUp));
   EXPECT_FALSE(LiesFlat(TurnedAbout(pyramid(0), {2 * kRight, 0, 0}), kUp));
