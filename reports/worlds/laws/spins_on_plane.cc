@@ -15,6 +15,7 @@
 #include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
 namespace {
@@ -23,15 +24,28 @@ namespace {
  */
 constexpr double kAlong = 1e-9;
 
-/** Returns the distance of the farthest point of the sole from the axis. [m] */
-double RimOf(const RigidBody& body, const Eigen::Vector3d& n_W) {
+/** The face that a body spins on. */
+struct Sole {
+  double rim;     ///< Distance of its farthest point from the axis. [m]
+  double narrow;  ///< Distance of its nearest edge from the axis. [m]
+  double height;  ///< Of the centre of mass above it. [m]
+
+  /** Returns the largest distance of a point of the sole from the vertical through the
+   centre of mass while the body leans so far that its edges differ by twice `settling`,
+   up on one side and down on the other. [m] */
+  double ReachAt(double settling) const { return rim + height * settling / narrow; }
+};
+
+Sole SoleOf(const RigidBody& body, const Eigen::Vector3d& n_W) {
   if (const auto* cylinder = std::get_if<Cylinder>(&body.placed.shape))
-    return cylinder->radius;
+    return {cylinder->radius, cylinder->radius, cylinder->half_length};
   const Eigen::Vector3d& half = std::get<Box>(body.placed.shape).half_extents;
   const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * n_W;
   int up = 0;
   n_B.cwiseAbs().maxCoeff(&up);
-  return std::hypot(half[(up + 1) % 3], half[(up + 2) % 3]);
+  const double a = half[(up + 1) % 3];
+  const double b = half[(up + 2) % 3];
+  return {std::hypot(a, b), std::min(a, b), half[up]};
 }
 
 std::string WhyNot(const World& world, int index) {
@@ -73,8 +87,9 @@ std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
   const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * n_W;
   const double inertia = n_B.cwiseAbs2().dot(InertiaOf(body));
   // The change of the spin by a normal impulse of one unit per mass at the rim. [1/m]
+  const double reach = SoleOf(body, n_W).ReachAt(on.Settling(world.dt));
   const double grip =
-      std::numbers::sqrt2 * on.plane.friction * body.mass * RimOf(body, n_W) / inertia;
+      std::numbers::sqrt2 * on.plane.friction * body.mass * reach / inertia;
   // Energy of the fall while it settles could turn into spin, by ½ I (ω² − ω₀²).
   const double gained = kSafety * body.mass * on.press * on.Settling(world.dt) /
                         (inertia * std::abs(start));
@@ -87,15 +102,19 @@ std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
                motion.oracle));
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
-    const double is = motion.trajectory.samples[s].bodies[i].w_WB.dot(axis_W);
+    const BodyState& state = motion.trajectory.samples[s].bodies[i];
+    // A body that leans trades spin for moment; no normal force turns it about the
+    // normal.
+    const Eigen::Vector3d L_W = InertiaInWorld(body, state.q_WB) * state.w_WB;
+    const double is = L_W.dot(axis_W) / inertia;
     const double most = std::abs(start);
     const double least = std::max(0.0, most - grip * on.press * t);
     const double share =
         kSolverResidual + RoundingOf(motion.oracle, StepsBefore(motion, s));
     const auto proof = [&] {
       return Citing(
-          "{} has {} spinning at {:.9g} rad/s after {:.6g} s; friction leaves it from "
-          "{:.9g} to {:.9g} rad/s",
+          "{} has {} spinning at {:.9g} rad/s after {:.6g} s, by its angular momentum "
+          "about the normal; friction leaves it from {:.9g} to {:.9g} rad/s",
           motion.oracle.name, CitedName{body.name}, is, CitedTime{t}, least, most);
     };
     spin.Take(std::max(is - most, 0.0), gained + share * most, proof);

@@ -11,9 +11,11 @@ namespace touchstone {
 
    ω₀ − √2 μ m g R/I t <= ω <= ω₀, and ω >= 0 in the sense of ω₀. [rad/s]
 
- Where on a flat sole a rigid body presses is not determined, so neither is the torque.
- √2 is the corner of a friction cone that is a square, the widest in use. Without friction
- the spin is constant.
+ ω is the angular momentum about the normal, n·(R I Rᵀ ω), over I: a tall body that leans
+ by a documented slop spins slower about the normal and loses nothing. Where on a flat
+ sole a rigid body presses is not determined, so neither is the torque. √2 is the corner
+ of a friction cone that is a square, the widest in use. R includes how far the rim moves
+ out when the body leans by what settling allows. Without friction the spin is constant.
 
  Tolerance: what settling (law_support/on_plane.h) may give or take, the spin of its
  energy or the friction of its speed at the rim; the residual of the solver, rounding.

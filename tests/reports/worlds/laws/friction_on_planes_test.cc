@@ -552,11 +552,42 @@ Trajectory Braked(const World& world, double brake, double end = 0) {
   return Sampled(world, [=, &world](double t) {
     WorldState state;
     for (const RigidBody& body : world.bodies)
-      state.bodies.push_back(
-          {body.placed.X_WB.p_WB, Eigen::Quaterniond::Identity(), body.v_WB, body.w_WB});
+      state.bodies.push_back({body.placed.X_WB.p_WB,
+                              Eigen::Quaterniond(body.placed.X_WB.R_WB), body.v_WB,
+                              body.w_WB});
     state.bodies[0].w_WB.y() = std::max(end, 30 - brake * t);
     return state;
   });
+}
+
+/** The motion of the body if it leans by `angle` at once and stays so, with `share` of
+ its spin. */
+Trajectory Leaning(const World& world, double angle, double share) {
+  Trajectory motion = Braked(world, 0);
+  for (std::size_t s = 1; s < motion.samples.size(); ++s) {
+    BodyState& is = motion.samples[s].bodies[0];
+    is.q_WB = Turned(is.q_WB, {angle, 0, 0});
+    is.w_WB *= share;
+  }
+  return motion;
+}
+
+// Its moment about the normal grows by I_x/I_z − 1 = 66 times the square of the angle.
+TEST(SpinsOnPlane, ABodyThatLeansByItsSlopKeepsItsAngularMomentum) {
+  World world = SpinningPuck(0);
+  world.bodies[0].placed.shape = Cylinder{0.1, 1};
+  world.bodies[0].placed.X_WB.p_WB.y() = 1;
+  OracleInfo info = DoubleEngine();
+  info.slop = 0.005;
+  info.slop_documented_by = "section 4";
+  const double angle = info.slop / 0.2;
+  const double share = 1 / (1 + (66 + 1.0 / 6) * std::pow(std::sin(angle), 2));
+  const auto judged = [&](double spin) {
+    return Judge(world, Leaning(world, angle, spin), ClaimOf("spins_on_plane"), info);
+  };
+  EXPECT_TRUE(Passes(judged(share)));
+  EXPECT_TRUE(Finds(judged(1), MeasureKind::kSpinError));
+  EXPECT_TRUE(Finds(judged(share * share), MeasureKind::kSpinError));
 }
 
 TEST(SpinsOnPlane, AllowsEveryTorqueUpToThatOfTheRim) {
@@ -615,8 +646,9 @@ World PulledBox(double degrees) {
   ground.friction = 0.4;
   world.bodies = {box, ground};
   for (int i = 0; i < 25; ++i) {
+    const int row = i / 5;
     RigidBody ball = BodyOf("ball" + std::to_string(i), Sphere{0.5}, 1,
-                            {2.0 * (i % 5) - 4, 1.5 - 6e-5, 2.0 * (i / 5) - 4});
+                            {2.0 * (i % 5) - 4, 1.5 - 6e-5, 2.0 * row - 4});
     ball.friction = 1.6;  // √(0.4 · 1.6) = 0.8
     world.bodies.push_back(ball);
   }
