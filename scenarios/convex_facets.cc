@@ -20,18 +20,23 @@ using Vertices = std::vector<Vector3d>;
 using Triangle = std::array<int, 3>;  // Counterclockwise seen from outside.
 using Edge = std::pair<int, int>;
 
-// An exact sum of doubles, stored as non-overlapping numbers, smallest first: Shewchuk,
-// "Adaptive Precision Floating-Point Arithmetic" (1997), GROW-EXPANSION, theorem 10.
+// An exact sum of doubles, stored as non-overlapping numbers other than zero, smallest
+// first: Shewchuk, "Adaptive Precision Floating-Point Arithmetic" (1997), GROW-EXPANSION
+// with zero elimination, theorem 10.
 class ExactSum {
  public:
   void Add(double x) {
-    for (double& part : parts_) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const double part = parts_[i];
       const double sum = x + part;
       const double rounded = sum - x;
-      part = (x - (sum - rounded)) + (part - rounded);
+      const double error = (x - (sum - rounded)) + (part - rounded);
+      if (error != 0) parts_[kept++] = error;
       x = sum;
     }
-    parts_.push_back(x);
+    parts_.resize(kept);
+    if (x != 0) parts_.push_back(x);
   }
 
   void AddProduct(double x, double y, double z) {
@@ -44,10 +49,8 @@ class ExactSum {
   }
 
   int sign() const {
-    for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
-      if (*part != 0) return *part > 0 ? 1 : -1;
-    }
-    return 0;
+    if (parts_.empty()) return 0;
+    return parts_.back() > 0 ? 1 : -1;
   }
 
  private:
@@ -144,8 +147,9 @@ std::vector<Triangle> Triangulate(const Vertices& vertices, double flatness) {
     std::set<Edge> seen_edges;
     std::vector<Triangle> kept;
     for (const Triangle& t : triangles) {
-      if (Side(At(vertices, t[0]), At(vertices, t[1]), At(vertices, t[2]),
-               At(vertices, i)) > 0) {
+      const bool is_corner = std::ranges::find(t, i) != t.end();
+      if (!is_corner && Side(At(vertices, t[0]), At(vertices, t[1]), At(vertices, t[2]),
+                             At(vertices, i)) > 0) {
         seen_edges.insert({{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}});
       } else {
         kept.push_back(t);

@@ -107,8 +107,9 @@ std::optional<Vector3d> UniformMoments(const Shape& shape, double mass) {
   const Vector3d moments = solid->inertia_B.diagonal();
   const Matrix3d moments_only = moments.asDiagonal();
   const double product = (solid->inertia_B - moments_only).cwiseAbs().maxCoeff();
-  if (product > kAligned * moments.maxCoeff()) return std::nullopt;
-  if (solid->centre_B.norm() > kAligned * BoundingRadius(shape)) return std::nullopt;
+  const double distance = solid->centre_B.norm();
+  if (!(product <= kAligned * moments.maxCoeff())) return std::nullopt;
+  if (!(distance <= kAligned * BoundingRadius(shape))) return std::nullopt;
   return moments;
 }
 

@@ -127,6 +127,12 @@ TEST(UniformMoments, ExistAboutTheOriginAndAlongTheAxesOnly) {
   EXPECT_FALSE(UniformMoments(Cone{0.4, 0.2}, 1));
 }
 
+TEST(UniformMoments, DoNotExistBeyondTheRangeOfDoubles) {
+  EXPECT_FALSE(UniformMoments(Box{{1e160, 1e160, 1e160}}, 1));
+  EXPECT_FALSE(UniformMoments(
+      CornersOf({1e160, 1e160, 1e160}, Matrix3d::Identity(), {0, 0, 0}), 1));
+}
+
 TEST(InertiaOf, OfASphereAndABoxAreTheirClosedForms) {
   RigidBody body;
   body.mass = 3;
