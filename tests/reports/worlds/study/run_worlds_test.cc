@@ -111,8 +111,8 @@ TEST(JudgeOnce, JudgesTheContactsOfEveryStep) {
       }
       return still;
     });
-    for (const Finding& finding :
-         JudgeOnce(std::span(&scenario, 1), engine).front().findings)
+    const auto judged = JudgeOnce(std::span(&scenario, 1), engine);
+    for (const Finding& finding : judged.front().findings)
       if (finding.measure == MeasureKind::kContactPlace) return finding.verdict;
     ADD_FAILURE() << "no contact was judged";
     return Verdict::kUnsupported;
