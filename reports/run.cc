@@ -1,16 +1,22 @@
 #include "reports/run.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "oracles/stopwatch.h"
 #include "reports/contacts/causes/precision.h"
 #include "reports/contacts/consensus.h"
 #include "reports/contacts/explain.h"
+#include "reports/contacts/grade.h"
 #include "reports/contacts/judge_answer.h"
 #include "reports/contacts/judge_variant.h"
 #include "reports/contacts/tolerances.h"
@@ -354,24 +360,44 @@ class Suite {
   /** Marks the failures as kNotExamined that are beyond the limit of the options. */
   void LimitExamination() {
     if (!options_.examined_per_kind) return;
-    std::map<std::tuple<Verdict, MeasureKind, Grade>, std::size_t> examined;
-    for (std::vector<Finding>& findings : findings_) {
-      bool is_examined = false;
-      ForEachOracle(findings, [&](std::size_t i, std::span<Finding> of_oracle) {
-        if (i == 0) {
-          const Finding& decisive = *DecisiveOf(of_oracle);
-          is_examined = IsFailure(decisive.verdict) &&
-                        examined[{decisive.verdict, decisive.measure, decisive.grade}]++ <
-                            *options_.examined_per_kind;
-        }
-        if (is_examined) return;
-        for (Finding& finding : of_oracle) {
-          if (!IsProvedWrong(finding)) continue;
-          finding.cause = Cause::kNotExamined;
-          finding.cause_because.clear();
-        }
+    const std::set<std::size_t> examined = Gravest(*options_.examined_per_kind);
+    for (std::size_t s = 0; s < findings_.size(); ++s) {
+      if (examined.contains(s)) continue;
+      for (Finding& finding : findings_[s]) {
+        if (!IsProvedWrong(finding)) continue;
+        finding.cause = Cause::kNotExamined;
+        finding.cause_because.clear();
+      }
+    }
+  }
+
+  /** Returns the contact queries whose answer by the subject fails, the `most` gravest of
+   each kind, see RunOptions::examined_per_kind. */
+  std::set<std::size_t> Gravest(std::size_t most) {
+    // By −share, such that the gravest comes first, then by the query.
+    std::map<std::tuple<Verdict, MeasureKind, Grade>,
+             std::set<std::pair<double, std::size_t>>>
+        kinds;
+    for (std::size_t s = 0; s < findings_.size(); ++s) {
+      const ScenarioResult& result = report_.scenarios[s];
+      ForEachOracle(findings_[s], [&](std::size_t i, std::span<Finding> of_oracle) {
+        if (i != 0) return;
+        const Finding& decisive = *DecisiveOf(of_oracle);
+        if (!IsFailure(decisive.verdict)) return;
+        const double share = ShareOf(decisive, result.scenario.contact, result.truth);
+        // A share without a number has no order; the answer is as wrong as can be.
+        const double order =
+            std::isnan(share) ? -std::numeric_limits<double>::infinity() : -share;
+        auto& gravest = kinds[{decisive.verdict, decisive.measure, decisive.grade}];
+        gravest.emplace(order, s);
+        if (gravest.size() > most) gravest.erase(std::prev(gravest.end()));
       });
     }
+    std::set<std::size_t> examined;
+    for (const auto& [kind, gravest] : kinds) {
+      for (const auto& [order, s] : gravest) examined.insert(s);
+    }
+    return examined;
   }
 
   /** Finds the causes that an answer and roundings of its question show. */

@@ -50,8 +50,9 @@ struct RunOptions {
   VariantsOfAll* variants = nullptr;
   /** The most answers of the subject to contact queries whose causes of failure are
    sought, among those that DecisiveOf() gives the same verdict, measure and grade: those
-   to the first queries by id. All other failures are kNotExamined, and so are those of
-   references to other queries. Empty: all are examined. */
+   of the largest ShareOf() and, of equal ones, to the first queries by id. All other
+   failures are kNotExamined, and so are those of references to other queries. Empty: all
+   are examined. */
   std::optional<std::size_t> examined_per_kind;
   /** The contact findings that carry the reason of their tolerance. */
   Reasons reasons = Reasons::kOfAll;

@@ -51,9 +51,19 @@ std::string WorstOf(const OracleTally& tally) {
   return text;
 }
 
+/** Returns what a kind adds to its measure: how the answer ended, or the cause. */
+std::string DetailOf(const FailureKind& kind) {
+  if (!kind.ending.empty()) return ": " + kind.ending;
+  return kind.cause == Cause::kNone ? "" : fmt::format(", {}", NameOf(kind.cause));
+}
+
 bool HasNoAnswer(Verdict verdict) {
   return verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut ||
          verdict == Verdict::kInvalid;
+}
+
+FailureKind KindOf(const FindingKind& kind) {
+  return {kind.measure, kind.cause, kind.law, kind.ending};
 }
 
 void Add(const OracleTally& tally, bool is_world, std::size_t series, Grade least,
@@ -64,12 +74,12 @@ void Add(const OracleTally& tally, bool is_world, std::size_t series, Grade leas
     if (!IsFailure(kind.verdict)) continue;
     summary.failed += count;
     if (kind.band >= least || HasNoAnswer(kind.verdict)) summary.failed_in_band += count;
-    FailureCluster& cluster = summary.clusters[{kind.measure, kind.cause, kind.law}];
+    FailureCluster& cluster = summary.clusters[KindOf(kind)];
     cluster.count += count;
     cluster.band = std::max(cluster.band, kind.band);
   }
   for (const auto& [kind, failures] : tally.failures) {
-    FailureCluster& cluster = summary.clusters[kind];
+    FailureCluster& cluster = summary.clusters[KindOf(kind)];
     for (const FailedQuestion& failure : failures) {
       if (cluster.worst && cluster.worst->share >= failure.share) continue;
       cluster.worst = failure;
@@ -144,8 +154,8 @@ void PrintFailureClusters(const SweepFile& file,
     for (const auto& [kind, cluster] : clusters) {
       if (kind.cause == Cause::kNotExamined) not_examined += cluster.count;
       std::cout << fmt::format(
-          "{:>9}  {}{}{}{}{}\n", cluster.count, InWords(kind.measure, kind.law),
-          kind.cause == Cause::kNone ? "" : ", ", NameOf(kind.cause),
+          "{:>9}  {}{}{}{}\n", cluster.count, InWords(kind.measure, kind.law),
+          DetailOf(kind),
           cluster.band == Grade::kNone ? "" : ", gravest: ", NameOf(cluster.band));
       if (!cluster.worst) continue;
       std::cout << fmt::format(
@@ -157,10 +167,10 @@ void PrintFailureClusters(const SweepFile& file,
   if (not_examined == 0) return;
   std::cout << fmt::format(
       "\nnot examined: {} failures whose causes were not sought. They are beyond the "
-      "first "
-      "{} questions of their series, and beyond the first {} in {} questions with the "
-      "same "
-      "verdict, measure and size. Any command above seeks the cause of its failure.\n",
+      "first {} questions of their series, and beyond the {} gravest in {} questions "
+      "with "
+      "the same verdict, measure and size. Any command above seeks the cause of its "
+      "failure.\n",
       not_examined, kExaminedBlocks * kContactBlock,
       kExaminedPerKind == 1 ? "one" : fmt::format("{}", kExaminedPerKind), kContactBlock);
 }

@@ -10,7 +10,17 @@
 
 namespace touchstone {
 
-/** Failures with one measure, one law and one cause. */
+/** The properties by which failures are clustered. */
+struct FailureKind {
+  MeasureKind measure;
+  Cause cause;
+  std::string law;     ///< Same as Finding::law.
+  std::string ending;  ///< EndingOf() the finding.
+
+  auto operator<=>(const FailureKind&) const = default;
+};
+
+/** Failures of one kind. */
 struct FailureCluster {
   std::uint64_t count = 0;
   Grade band = Grade::kNone;            ///< The gravest.
@@ -33,8 +43,8 @@ struct SubjectSummary {
  */
 std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least);
 
-/** Prints the failures of each subject by measure, law and cause, the most frequent
- first, with the commands that repeat them. */
+/** Prints the failures of each subject by kind, the most frequent first, with the
+ commands that repeat them. */
 void PrintFailureClusters(const SweepFile& file,
                           const std::vector<SubjectSummary>& subjects);
 

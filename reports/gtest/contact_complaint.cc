@@ -65,11 +65,11 @@ std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,
   if (tally.touching == 0) {
     return fmt::format("none of {} touched: nothing was verified", questions);
   }
-  const FailedQuestion* const first = FirstFailure(tally);
-  if (first == nullptr) return "";
+  const FailedQuestion* const gravest = GravestFailure(tally);
+  if (gravest == nullptr) return "";
 
   const Scenario scenario =
-      ReadScenario(first->scenario, "the failed question").scenario.value();
+      ReadScenario(gravest->scenario, "the failed question").scenario.value();
   const std::optional<Shrunk> shrunk = ShrunkFor(scenario, subject);
   Scenario shown = scenario;
   if (shrunk) {
@@ -82,15 +82,15 @@ std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,
   options.partial = true;
   std::ostringstream text;
   text << fmt::format(
-      "{} is wrong in {} of {}; {} of them touching. The first{}:\n\n", name,
+      "{} is wrong in {} of {}; {} of them touching. The gravest{}:\n\n", name,
       FailureCount(tally), questions, tally.touching,
       shrunk ? fmt::format(", shrunk ({} asked, {} kept)",
                            Counted(shrunk->tried, "smaller question"), shrunk->accepted)
              : "");
   WriteExplanation(Run({&shown, 1}, oracles, {}, options), {}, text);
   text << "\nThe question, as a file for `touchstone run`:\n\n" << WriteScenario(shown);
-  if (shrunk) text << "\nBefore it was shrunk:\n\n" << first->scenario;
-  text << "\nTo ask the other oracles: " << ReplayOf(series, first->question) << '\n';
+  if (shrunk) text << "\nBefore it was shrunk:\n\n" << gravest->scenario;
+  text << "\nTo ask the other oracles: " << ReplayOf(series, gravest->question) << '\n';
   return text.str();
 }
 

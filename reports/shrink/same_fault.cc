@@ -1,8 +1,8 @@
 #include "reports/shrink/same_fault.h"
 
 #include <algorithm>
-#include <regex>
 
+#include "reports/finding/ending.h"
 #include "reports/finding/tolerance.h"
 
 namespace touchstone {
@@ -13,12 +13,6 @@ double ExcessOf(const Finding& finding) {
 }
 
 }  // namespace
-
-std::string KindOfProof(const std::string& proof) {
-  // Also hexadecimal numbers, and exponents with a sign.
-  static const std::regex number("-?[0-9][0-9A-Za-z.]*([-+][0-9]+)?");
-  return std::regex_replace(proof, number, "#");
-}
 
 bool IsSameFault(const Finding& finding, const Finding& original) {
   return finding.oracle == original.oracle && finding.measure == original.measure &&

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "reports/finding/finding.h"
 
 namespace touchstone {
@@ -9,10 +7,6 @@ namespace touchstone {
 /** The excess, in tolerances, beyond which an error is no matter of rounding, however
  much larger it was at first. [-] */
 inline constexpr double kClearExcess = 1000;
-
-/** Returns `proof` with every number replaced by '#'. Two proofs are of the same kind if
- they differ in their numbers only. */
-std::string KindOfProof(const std::string& proof);
 
 /** Returns whether `finding` shows the same fault as `original`, found on another
  question: by the same oracle, measure, law, verdict and kind of proof. Its grade must be

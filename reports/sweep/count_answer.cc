@@ -3,11 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/finding/ending.h"
+
 namespace touchstone {
 namespace {
 
 FindingKind KindOf(const Finding& finding) {
-  return {finding.measure, finding.verdict, finding.grade, finding.cause, finding.law};
+  return {finding.measure, finding.verdict, finding.grade,
+          finding.cause,   finding.law,     EndingOf(finding)};
 }
 
 /** Returns the share of a finding such that it can be ordered. */
@@ -52,14 +55,14 @@ void CountAnswer(const JudgedAnswer& answer, OracleTally& tally) {
   kind.verdict = outcome.verdict;
   ++tally.answers[kind];
   if (!IsFailure(outcome.verdict)) return;
-  std::vector<FailedQuestion>& of_kind =
-      tally.failures[{kind.measure, kind.cause, kind.law}];
-  if (!IsKept(answer.question, of_kind)) return;
+  const double share = OrderedShareOf(decisive, answer);
+  std::vector<FailedQuestion>& of_kind = tally.failures[kind];
+  if (!IsKept(answer.question, share, of_kind)) return;
   Insert(FailedQuestion{.question = answer.question,
                         .kind = kind,
                         .value = decisive.value,
                         .tolerance = decisive.tolerance,
-                        .share = OrderedShareOf(decisive, answer),
+                        .share = share,
                         .proof = decisive.proof,
                         .scenario = answer.write()},
          of_kind);

@@ -28,7 +28,8 @@
 namespace touchstone {
 namespace {
 
-/** Failures of one oracle, measure, law and cause whose questions are asked again. */
+/** Failures of one oracle, measure, law, cause and ending whose questions are asked
+ * again. */
 constexpr int kPerKind = 3;
 
 /** Bins to a factor of ten in a page's histograms. Bins of a sketch, eight to a factor of
@@ -62,7 +63,7 @@ struct Opened {
 /** Failures of all series, the gravest first. A crash has no share. */
 constexpr const char* kFailures =
     "SELECT oracle, measure, law, verdict, band, cause, value, share, proof, series, "
-    "question, scenario FROM failures "
+    "question, scenario, ending FROM failures "
     "ORDER BY share IS NULL, share DESC, series, oracle, question";
 
 /** Worst findings of all series, those of the most tolerances first. One without an error
@@ -416,12 +417,14 @@ void Make(const std::string& id, const Series& series, std::uint64_t index,
 
 /** Adds the failures that are number `place` of their kind by gravity. */
 void AddFailures(const Opened& sweep, int place, std::size_t limit, Collected& kept) {
-  std::map<std::array<std::string, 4>, int> of_kind;
+  std::map<std::array<std::string, 5>, int> of_kind;
   Statement row(sweep.database, kFailures);
   row.Start();
   while (kept.size() < limit && row.Next()) {
-    if (++of_kind[{row.Text(0), row.Text(1), row.Text(2), row.Text(5)}] != place)
+    if (++of_kind[{row.Text(0), row.Text(1), row.Text(2), row.Text(5), row.Text(12)}] !=
+        place) {
       continue;
+    }
     const Series& series = sweep.SeriesAt(row.Integer(9));
     kept.Add(PageIdOf(series, row.Unsigned(10), row.Text(0)), row.Text(11));
   }

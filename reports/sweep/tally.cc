@@ -1,6 +1,7 @@
 #include "reports/sweep/tally.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace touchstone {
 namespace {
@@ -27,6 +28,11 @@ void Merge(const OracleTally& other, OracleTally& tally) {
   }
 }
 
+bool IsGraver(double share, std::uint64_t question, double than_share,
+              std::uint64_t than_question) {
+  return share != than_share ? share > than_share : question < than_question;
+}
+
 }  // namespace
 
 bool IsWorse(const WorstFinding& a, const WorstFinding& b) {
@@ -40,28 +46,37 @@ void Insert(const WorstFinding& finding, std::vector<WorstFinding>& worst) {
   if (worst.size() > kWorstKept) worst.pop_back();
 }
 
-bool IsKept(std::uint64_t question, const std::vector<FailedQuestion>& failures) {
-  return failures.size() < kFailuresKept || question < failures.back().question;
+bool IsKept(std::uint64_t question, double share,
+            const std::vector<FailedQuestion>& failures) {
+  return failures.size() < kFailuresKept ||
+         IsGraver(share, question, failures.back().share, failures.back().question);
 }
 
 void Insert(FailedQuestion failure, std::vector<FailedQuestion>& failures) {
-  if (!IsKept(failure.question, failures)) return;
+  if (!IsKept(failure.question, failure.share, failures)) return;
   const auto place =
       std::upper_bound(failures.begin(), failures.end(), failure,
                        [](const FailedQuestion& a, const FailedQuestion& b) {
-                         return a.question < b.question;
+                         return IsGraver(a.share, a.question, b.share, b.question);
                        });
   failures.insert(place, std::move(failure));
   if (failures.size() > kFailuresKept) failures.pop_back();
 }
 
-const FailedQuestion* FirstFailure(const OracleTally& tally) {
-  const FailedQuestion* first = nullptr;
+const FailedQuestion* GravestFailure(const OracleTally& tally) {
+  const auto gravity = [](const FindingKind& kind) {
+    return std::tuple(!kind.ending.empty(), kind.band);
+  };
+  const FailedQuestion* gravest = nullptr;
   for (const auto& [kind, failures] : tally.failures) {
-    if (first == nullptr || failures.front().question < first->question)
-      first = &failures.front();
+    const FailedQuestion& of_kind = failures.front();
+    if (gravest == nullptr || gravity(kind) > gravity(gravest->kind) ||
+        (gravity(kind) == gravity(gravest->kind) &&
+         IsGraver(of_kind.share, of_kind.question, gravest->share, gravest->question))) {
+      gravest = &of_kind;
+    }
   }
-  return first;
+  return gravest;
 }
 
 std::uint64_t FailureCount(const OracleTally& tally) {

@@ -26,7 +26,8 @@ struct FindingKind {
   Verdict verdict;
   Grade band;
   Cause cause;
-  std::string law = {};  ///< Same as Finding::law.
+  std::string law = {};     ///< Same as Finding::law.
+  std::string ending = {};  ///< EndingOf() the finding.
 
   auto operator<=>(const FindingKind&) const = default;
 };
@@ -64,18 +65,9 @@ struct FailedQuestion {
 /** The number of findings that are kept per oracle, series and measurand as the worst. */
 inline constexpr std::size_t kWorstKept = 5;
 
-/** The properties by which failed questions are clustered. */
-struct FailureKind {
-  MeasureKind measure;
-  Cause cause;
-  std::string law = {};  ///< Same as Finding::law.
-
-  auto operator<=>(const FailureKind&) const = default;
-};
-
-/** The number of failed questions that are kept per oracle, series and kind of failure,
- those of the least indices. The others are only counted. */
-inline constexpr std::size_t kFailuresKept = 5;
+/** The number of failed questions that are kept per oracle, series and kind of decisive
+ finding, the gravest. The others are only counted. */
+inline constexpr std::size_t kFailuresKept = 2;
 
 /** The results of one oracle on questions of one series. */
 struct OracleTally {
@@ -88,7 +80,7 @@ struct OracleTally {
   FindingCounts answers;                 ///< The decisive finding of every answer.
   std::map<Measurand, Sketch> sketches;  ///< Values that the truth could decide.
   std::map<Measurand, std::vector<WorstFinding>> worst;         ///< The worst first.
-  std::map<FailureKind, std::vector<FailedQuestion>> failures;  ///< Ascending indices.
+  std::map<FindingKind, std::vector<FailedQuestion>> failures;  ///< The gravest first.
 
   bool operator==(const OracleTally&) const = default;
 };
@@ -104,15 +96,19 @@ struct SeriesTally {
 /** Inserts `finding` into the list of the worst. */
 void Insert(const WorstFinding& finding, std::vector<WorstFinding>& worst);
 
-/** Returns whether a failure of question `question` would be kept among `failures`, those
- of its kind. */
-bool IsKept(std::uint64_t question, const std::vector<FailedQuestion>& failures);
+/** Returns whether a failure of question `question` with that share would be kept among
+ `failures`, those of its kind. The gravest has the largest share and, of equal ones, the
+ least index. */
+bool IsKept(std::uint64_t question, double share,
+            const std::vector<FailedQuestion>& failures);
 
 /** Inserts `failure` into the failures of its kind. */
 void Insert(FailedQuestion failure, std::vector<FailedQuestion>& failures);
 
-/** Returns the kept failure of the least index; null if none failed. */
-const FailedQuestion* FirstFailure(const OracleTally& tally);
+/** Returns the gravest kept failure: a missing or invalid answer, else that of the
+ gravest band and in it of the largest share; of equal ones the first. Null if none
+ failed. */
+const FailedQuestion* GravestFailure(const OracleTally& tally);
 
 /** Returns the number of answers that fail. */
 std::uint64_t FailureCount(const OracleTally& tally);

@@ -81,11 +81,11 @@ TEST(IsRight, GrantsTheToleranceOfTheTestAndNoMore) {
 }
 
 // The depth is wrong wherever the spheres overlap, so unit spheres show it too.
-TEST(IsRight, ShowsTheFirstFailureShrunk) {
+TEST(IsRight, ShowsTheGravestFailureShrunk) {
   const testing::AssertionResult result =
       IsRight(*Spheres<double>({}, 1e-3), SpheresOf(Family::kRandom));
   const std::string message = result.message();
-  EXPECT_THAT(message, HasSubstr("The first, shrunk ("));
+  EXPECT_THAT(message, HasSubstr("The gravest, shrunk ("));
   const std::size_t shrunk = message.find("radius = 1.0\n");
   const std::size_t before = message.find("Before it was shrunk:");
   ASSERT_NE(shrunk, std::string::npos) << message;

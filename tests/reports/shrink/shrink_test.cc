@@ -220,12 +220,6 @@ TEST(RoundToDigits, RoundsToDecimals) {
   EXPECT_EQ(RoundToDigits(0, 4), 0);
 }
 
-TEST(SameFault, KeepsTheKindOfProofButNotItsNumbers) {
-  EXPECT_EQ(KindOfProof("says 0.5 m deep along (1, -2e-05, 3)"),
-            KindOfProof("says 17 m deep along (0, 0.25, -1)"));
-  EXPECT_NE(KindOfProof("says 0.5 m deep"), KindOfProof("says 0.5 m apart"));
-}
-
 TEST(SameFault, DoesNotShrinkIntoARounding) {
   Finding original;
   original.measure = MeasureKind::kExcess;

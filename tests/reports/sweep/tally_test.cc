@@ -22,14 +22,15 @@ SeriesTally OfQuestions(std::uint64_t first, std::uint64_t n) {
     const auto measure = *rc::gen::element(MeasureKind::kExcess, MeasureKind::kSwap);
     const auto cause = *rc::gen::element(Cause::kDefect, Cause::kPrecision);
     const std::string law = *rc::gen::element<std::string>("", "pendulum");
-    const FindingKind kind{measure, Verdict::kFail, Grade::kLarge, cause, law};
+    const std::string ending = *rc::gen::element<std::string>("", "killed by SIGSEGV.");
+    const FindingKind kind{measure, Verdict::kFail, Grade::kLarge, cause, law, ending};
     ++oracle.answers[kind];
     ++oracle.findings[kind];
     oracle.sketches[{measure, law}].Add(value);
     Insert({i, value, 1e-3, value / 1e-3, value, Verdict::kFail},
            oracle.worst[{measure, law}]);
     Insert(FailedQuestion{i, kind, value, 1e-3, value, "proof", "file"},
-           oracle.failures[{measure, cause, law}]);
+           oracle.failures[kind]);
   }
   return tally;
 }
@@ -60,21 +61,44 @@ TEST(Tally, KeepsTheWorstAndOfEqualOnesTheFirst) {
   }
 }
 
-TEST(Tally, KeepsTheFirstFailuresOfEachKindAndCountsAll) {
+TEST(Tally, KeepsTheGravestFailuresOfEachKindAndCountsAll) {
   OracleTally tally;
   for (std::uint64_t i = 100; i > 0; --i) {
     const FindingKind kind{MeasureKind::kExcess, Verdict::kFail, Grade::kSmall,
                            i % 2 == 0 ? Cause::kDefect : Cause::kTie};
     ++tally.answers[kind];
-    Insert(FailedQuestion{i, kind, 0, 0, 0, "", ""},
-           tally.failures[{kind.measure, kind.cause}]);
+    const double share = 0.001 * static_cast<double>(i % 10);
+    Insert(FailedQuestion{i, kind, 0, 0, share, "", ""}, tally.failures[kind]);
   }
   EXPECT_EQ(FailureCount(tally), 100U);
   EXPECT_EQ(tally.failures.size(), 2U);
-  EXPECT_EQ((tally.failures[{MeasureKind::kExcess, Cause::kDefect}].back().question),
-            2 * kFailuresKept);
-  ASSERT_NE(FirstFailure(tally), nullptr);
-  EXPECT_EQ(FirstFailure(tally)->question, 1U);
+  for (const auto& [kind, failures] : tally.failures) {
+    ASSERT_EQ(failures.size(), kFailuresKept);
+    // The share is largest in every tenth question; of these the first are kept.
+    const std::uint64_t first = kind.cause == Cause::kDefect ? 8 : 9;
+    for (std::size_t f = 0; f < kFailuresKept; ++f)
+      EXPECT_EQ(failures[f].question, first + 10 * f);
+  }
+  ASSERT_NE(GravestFailure(tally), nullptr);
+  EXPECT_EQ(GravestFailure(tally)->question, 9U);
+}
+
+TEST(Tally, KeepsFailuresOfEachBandAndEnding) {
+  OracleTally tally;
+  const auto fail = [&](std::uint64_t question, Verdict verdict, Grade band,
+                        const std::string& ending) {
+    const FindingKind kind{MeasureKind::kAnswering, verdict, band,
+                           Cause::kDefect,          "",      ending};
+    Insert(FailedQuestion{question, kind, 0, 0, 0, "", ""}, tally.failures[kind]);
+  };
+  for (std::uint64_t i = 0; i < 50; ++i)
+    fail(i, Verdict::kCrashed, Grade::kNone, "killed by SIGSEGV.");
+  fail(50, Verdict::kCrashed, Grade::kNone, "aborted: gjk.h:12: Assertion `a'.");
+  fail(51, Verdict::kFail, Grade::kGross, "");
+  fail(52, Verdict::kFail, Grade::kRounding, "");
+  EXPECT_EQ(tally.failures.size(), 4U);
+  ASSERT_NE(GravestFailure(tally), nullptr);
+  EXPECT_EQ(GravestFailure(tally)->question, 0U);
 }
 
 TEST(Sketch, BinsDifferByAnEighthAtMost) {
