@@ -1,5 +1,7 @@
 #include "reports/reproduce/fault_check.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "reports/reproduce/cpp_text.h"
@@ -88,19 +90,45 @@ std::string Truth(const ContactTruth& truth) {
       Literal(truth.separation.lo), Literal(truth.separation.hi));
 }
 
-}  // namespace
+/** A normal of this accuracy is one of unit length, also in single precision. [-] */
+constexpr double kUnitSlack = 1e-6;
 
-void RefuseVerdict(const Finding& finding) {
-  if (finding.verdict == Verdict::kFail) return;
-  throw CannotReproduce(fmt::format(
-      "the verdict is '{}'; expected a wrong answer: a program for a crash, a hang or an "
-      "invalid answer is not supported",
-      NameOf(finding.verdict)));
+/** The check of an answer that is invalid. */
+FaultCheck InvalidityCheck(const ContactAnswer& answer) {
+  if (answer.separation && !std::isfinite(*answer.separation)) {
+    return {"",
+            "  const double error = std::isfinite(answer.separation) ? 0 : "
+            "std::numeric_limits<double>::infinity();\n"};
+  }
+  if (!answer.n_AB_W || std::abs(answer.n_AB_W->norm() - 1) <= kUnitSlack) {
+    throw CannotReproduce(
+        "a program cannot check what an answer leaves out, nor contact points");
+  }
+  return {"", fmt::format("  const double length = std::hypot(answer.n[0], answer.n[1], "
+                          "answer.n[2]);\n"
+                          "  std::printf(\"length of the normal: %.17g\\n\", length);\n"
+                          "  const double deviation = std::abs(length - 1);\n"
+                          "  const double error = deviation <= {} ? 0 : deviation;\n",
+                          kUnitSlack)};
 }
 
-FaultCheck CheckOf(const Finding& finding, const ContactQuery& query,
-                   const ContactTruth& truth) {
-  RefuseVerdict(finding);
+}  // namespace
+
+bool IsWithoutAnswer(const Finding& finding) {
+  return finding.measure == MeasureKind::kAnswering &&
+         (finding.verdict == Verdict::kCrashed || finding.verdict == Verdict::kTimedOut);
+}
+
+FaultCheck CheckOf(const Finding& finding, const ScenarioResult& result) {
+  if (finding.measure == MeasureKind::kAnswering && finding.verdict == Verdict::kInvalid)
+    return InvalidityCheck(result.answers.front());
+  if (finding.verdict != Verdict::kFail) {
+    throw CannotReproduce(fmt::format(
+        "the verdict of {} is '{}'; expected a wrong answer, or one that is missing",
+        NameOf(finding.measure), NameOf(finding.verdict)));
+  }
+  const ContactQuery& query = result.scenario.contact;
+  const ContactTruth& truth = result.truth;
   switch (finding.measure) {
     case MeasureKind::kTouching:
       return {"",

@@ -2,9 +2,8 @@
 
 #include <string>
 
+#include "reports/contacts/contact_result.h"
 #include "reports/finding/finding.h"
-#include "reports/referee/contact_truth.h"
-#include "scenarios/contact_query.h"
 
 namespace touchstone {
 
@@ -16,13 +15,14 @@ struct FaultCheck {
   std::string statements;
 };
 
-/** Throws CannotReproduce if the verdict of `finding` is not that of a wrong answer. */
-void RefuseVerdict(const Finding& finding);
+/** Returns whether the finding is that the engine did not answer the question itself: a
+ crash or a hang. */
+bool IsWithoutAnswer(const Finding& finding);
 
-/** Returns the check of `finding`. Its formula is that of the measure, in plain double
- arithmetic; the truth is the referee's certified enclosure. Throws CannotReproduce if the
- verdict or the measure has no check. */
-FaultCheck CheckOf(const Finding& finding, const ContactQuery& query,
-                   const ContactTruth& truth);
+/** Returns the check of `finding`, one of the first oracle of `result`. Its formula is
+ that of the measure, in plain double arithmetic; the truth is the referee's certified
+ enclosure. An invalid answer is checked for the number that is not one, or for the length
+ of its normal. Throws CannotReproduce if the verdict or the measure has no check. */
+FaultCheck CheckOf(const Finding& finding, const ScenarioResult& result);
 
 }  // namespace touchstone

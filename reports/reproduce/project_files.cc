@@ -23,22 +23,26 @@ std::string ReportFile(const ReportParts& parts, const OracleInfo& oracle,
                        const EngineCode& engine, const Finding& finding) {
   const std::string truth =
       parts.truth.empty() ? "" : fmt::format("## Truth\n\n{}\n\n", parts.truth);
+  // A missing answer has no error.
+  const std::string error =
+      finding.verdict == Verdict::kFail
+          ? fmt::format("The error is {:.3g} where {:.3g} is allowed: {}.\n\n",
+                        finding.value, finding.tolerance, finding.tolerance_because)
+          : "";
   return fmt::format(
       "# {title}\n\n## Asked\n\n{call}, {library} {version} as on Debian 12.\n\n{asked}\n"
       "`reproduce.cc` has the exact numbers.\n\n"
       "## Answer and proof\n\n{proof}\n\n{truth}"
-      "The error is {value:.3g} where {tolerance:.3g} is allowed: {because}.\n\n"
+      "{error}"
       "## Build and run\n\n    apt-get install g++ cmake make pkg-config {package}\n"
       "    cmake -S . -B build && cmake --build build && build/reproduce\n\n"
-      "The program prints the answer, the truth and the error. It exits 1 if the fault "
+      "The program prints the answer and what is wrong with it. It exits 1 if the fault "
       "is there and 0 if it is gone.\n\n## Output\n\nPaste the output of the program "
       "here. It has not been run yet.\n",
       fmt::arg("title", parts.title), fmt::arg("call", engine.call),
       fmt::arg("library", oracle.library), fmt::arg("version", oracle.version),
       fmt::arg("asked", parts.asked), fmt::arg("proof", finding.proof),
-      fmt::arg("truth", truth), fmt::arg("value", finding.value),
-      fmt::arg("tolerance", finding.tolerance),
-      fmt::arg("because", finding.tolerance_because),
+      fmt::arg("truth", truth), fmt::arg("error", error),
       fmt::arg("package", engine.package));
 }
 

@@ -40,31 +40,82 @@ struct Answer {{
 {definitions}
 Answer Ask() {{
 {ask}}}
-{check_definitions}
-}}  // namespace
 
-int main() {{
-  const Answer answer = Ask();
+void Print(const Answer& answer) {{
   std::printf("read as: %s, ", answer.touching ? "touching" : "apart");
   if (std::isnan(answer.separation))
     std::printf("no separation\n");
   else
     std::printf("separation %.17g\n", answer.separation);
-{check}  const double allowed = {allowed};
-  std::printf("%s: error %.17g, allowed %.17g\n", {measure}, error, allowed);
-  std::printf("%s\n", {proof});
-  const bool is_right = error <= allowed;  // A NaN is wrong.
+}}
+{check_definitions}
+}}  // namespace
+
+int main() {{
+{check}  std::printf("%s\n", {proof});
   std::printf("%s\n", is_right ? "The fault is gone." : "The fault is there.");
   return is_right ? 0 : 1;
 }}
 )";
+
+/** Compares the answer with what is right. */
+std::string Compared(const FaultCheck& check, const Finding& finding) {
+  return fmt::format(
+      "  const Answer answer = Ask();\n  Print(answer);\n{}"
+      "  const double allowed = {};\n"
+      "  std::printf(\"%s: error %.17g, allowed %.17g\\n\", {}, error, allowed);\n"
+      "  const bool is_right = error <= allowed;  // A NaN is wrong.\n",
+      check.statements, Literal(finding.tolerance), Quoted(NameOf(finding.measure)));
+}
+
+/** Finds out whether the engine answers at all. */
+constexpr const char* kAwaited = R"(  // The engine may end the process that asks it.
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit no_core_file{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core_file);
+    const rlimit seconds{2, 3};
+    setrlimit(RLIMIT_CPU, &seconds);
+    Print(Ask());
+    std::fflush(stdout);
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  const bool is_right = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (WIFSIGNALED(status)) {
+    const int signal = WTERMSIG(status);
+    const bool is_hang = signal == SIGXCPU || signal == SIGKILL;
+    std::printf("no answer%s: %s\n", is_hang ? " after 2 s of CPU time" : "",
+                strsignal(signal));
+  } else if (!is_right) {
+    std::printf("no answer: the engine exited\n");
+  }
+)";
+
+constexpr const char* kAwaitedIncludes =
+    "#include <csignal>\n#include <cstring>\n\n#include <sys/resource.h>\n"
+    "#include <sys/wait.h>\n#include <unistd.h>\n\n";
+
+/** The parts of a program that find the fault. */
+struct Judge {
+  std::string includes;
+  std::string definitions;
+  std::string statements;  ///< Ask, and set `is_right`.
+};
+
+Judge JudgeOf(const Finding& finding, const ScenarioResult& result) {
+  if (IsWithoutAnswer(finding)) return {kAwaitedIncludes, "", kAwaited};
+  const FaultCheck check = CheckOf(finding, result);
+  return {"", check.definitions, Compared(check, finding)};
+}
 
 }  // namespace
 
 Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
                        const Finding& finding) {
   const ContactQuery& query = result.scenario.contact;
-  const FaultCheck check = CheckOf(finding, query, result.truth);
+  const Judge judge = JudgeOf(finding, result);
   const EngineCode engine = CodeOf(query, oracle);
   const std::string title =
       fmt::format("{} ({} and {})", TitleOf(oracle, finding),
@@ -77,13 +128,11 @@ Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
       Commented(fmt::format("Asked: {}.", engine.call), "// ") + "//\n" +
       Commented(fmt::format("Proof: {}", finding.proof), "// ") +
       Commented(fmt::format("Truth: {}", Describe(query, result.truth)), "// ") +
-      fmt::format(kProgram, fmt::arg("includes", engine.includes),
+      fmt::format(kProgram, fmt::arg("includes", judge.includes + engine.includes),
                   fmt::arg("definitions", engine.definitions),
                   fmt::arg("ask", engine.ask),
-                  fmt::arg("check_definitions", check.definitions),
-                  fmt::arg("check", check.statements),
-                  fmt::arg("allowed", Literal(finding.tolerance)),
-                  fmt::arg("measure", Quoted(NameOf(finding.measure))),
+                  fmt::arg("check_definitions", judge.definitions),
+                  fmt::arg("check", judge.statements),
                   fmt::arg("proof", Quoted("When written: " + finding.proof)));
   files.build = BuildFile(engine);
   files.report = ReportFile(

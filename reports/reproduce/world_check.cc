@@ -291,7 +291,12 @@ std::string_view Expected(MeasureKind measure) {
 
 WorldCheck CheckOf(const Finding& finding, const WorldScenario& scenario,
                    const Trajectory& trajectory) {
-  RefuseVerdict(finding);
+  if (finding.verdict != Verdict::kFail) {
+    throw CannotReproduce(fmt::format(
+        "the verdict is '{}'; expected a wrong motion: a program for a world without an "
+        "answer is not supported",
+        NameOf(finding.verdict)));
+  }
   const Search search(finding, scenario, trajectory);
   std::optional<WorldCheck> check;
   switch (finding.measure) {

@@ -36,6 +36,19 @@ struct DescribeShape {
   std::string operator()(const HalfSpace&) const { return "half-space"; }
 };
 
+/** Returns the rotation of a pose as a clause; empty for the identity. */
+std::string RotationOf(const Pose& pose) {
+  if (pose.R_WB == Eigen::Matrix3d::Identity()) return "";
+  if (pose.q_WB) {
+    const Eigen::Quaterniond& q = *pose.q_WB;
+    return fmt::format(", turned by the quaternion (w, x, y, z) = ({}, {}, {}, {})",
+                       q.w(), q.x(), q.y(), q.z());
+  }
+  const auto row = [&](int i) { return FormatVector(Eigen::Vector3d(pose.R_WB.row(i))); };
+  return fmt::format(", turned by the matrix with the rows {}, {}, {}", row(0), row(1),
+                     row(2));
+}
+
 }  // namespace
 
 std::string_view NameOf(Touching touching) {
@@ -51,8 +64,8 @@ std::string_view NameOf(Touching touching) {
 }
 
 std::string Describe(const Body& body) {
-  return fmt::format("{} at {}", std::visit(DescribeShape{}, body.shape),
-                     FormatVector(body.X_WB.p_WB));
+  return fmt::format("{} at {}{}", std::visit(DescribeShape{}, body.shape),
+                     FormatVector(body.X_WB.p_WB), RotationOf(body.X_WB));
 }
 
 std::string Describe(const ContactQuery& query, const ContactTruth& truth) {

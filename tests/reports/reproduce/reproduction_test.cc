@@ -1,5 +1,6 @@
 #include "reports/reproduce/reproduction.h"
 
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -51,9 +52,45 @@ TEST_F(ReproductionTest, KeepsTheProofInCommentsAndLiterals) {
   EXPECT_THAT(program, HasSubstr(R"(one */ two #error three \"four\" \?\?/ five \\")"));
 }
 
-TEST_F(ReproductionTest, RefusesACrash) {
+TEST_F(ReproductionTest, WaitsForAnEngineThatGivesNoAnswer) {
+  finding_.measure = MeasureKind::kAnswering;
+  for (const Verdict verdict : {Verdict::kCrashed, Verdict::kTimedOut}) {
+    finding_.verdict = verdict;
+    finding_.proof = "bullet: killed by SIGSEGV.";
+    const Reproduction files = Reproduce(result_, oracle_, finding_);
+    EXPECT_THAT(files.program, HasSubstr("fork()"));
+    EXPECT_THAT(files.program, HasSubstr("// Proof: bullet: killed by SIGSEGV."));
+    EXPECT_THAT(files.report, Not(HasSubstr("The error is")));
+  }
+}
+
+TEST_F(ReproductionTest, RefusesAVariantWithoutAnAnswer) {
+  finding_.measure = MeasureKind::kSwap;
   finding_.verdict = Verdict::kCrashed;
   EXPECT_THROW(Reproduce(result_, oracle_, finding_), CannotReproduce);
+}
+
+TEST_F(ReproductionTest, ChecksTheNumbersOfAnInvalidAnswer) {
+  finding_.measure = MeasureKind::kAnswering;
+  finding_.verdict = Verdict::kInvalid;
+  ContactAnswer& answer = result_.answers.emplace_back();
+  answer.separation = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(Reproduce(result_, oracle_, finding_).program,
+              HasSubstr("std::isfinite(answer.separation)"));
+  answer.separation = -0.1;
+  answer.n_AB_W = Eigen::Vector3d(0, 0, 2);
+  EXPECT_THAT(Reproduce(result_, oracle_, finding_).program,
+              HasSubstr("length of the normal"));
+  answer.n_AB_W = Eigen::Vector3d::UnitZ();
+  EXPECT_THROW(Reproduce(result_, oracle_, finding_), CannotReproduce);
+}
+
+TEST_F(ReproductionTest, GivesTheWholePose) {
+  Pose& pose = result_.scenario.contact.A.X_WB;
+  pose = Pose::FromQuaternion({1, 2, 3}, Eigen::Quaterniond(0, 0, 1, 0));
+  EXPECT_THAT(
+      Reproduce(result_, oracle_, finding_).report,
+      HasSubstr("at (1, 2, 3), turned by the quaternion (w, x, y, z) = (0, 0, 1, 0)"));
 }
 
 TEST_F(ReproductionTest, RefusesAMeasureWithoutACheck) {
