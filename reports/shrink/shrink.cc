@@ -9,6 +9,7 @@
 #include "reports/run.h"
 #include "reports/shrink/reductions.h"
 #include "reports/shrink/same_fault.h"
+#include "reports/shrink/shifts.h"
 #include "reports/shrink/size.h"
 
 namespace touchstone {
@@ -38,22 +39,24 @@ class Search {
         fault_(fault),
         options_(options),
         family_(FamilyOf(question, oracle.info())),
-        result_{question, fault} {
+        result_{.question = question, .finding = fault, .shifts = {}} {
     ForgetAnswers(result_.question);
     size_ = SizeOf(result_.question);
+    result_.shifts = ShiftsWithFault(result_.question, kShifts);
+    least_shifts_ = (result_.shifts.value_or(0) + 1) / 2;
   }
 
   Shrunk Result() && {
     while (TryAll() && !IsOver()) {
     }
     result_.is_smallest = !IsOver();
+    if (result_.accepted > 0) result_.shifts = ShiftsWithFault(result_.question, kShifts);
     return std::move(result_);
   }
 
  private:
-  bool IsOver() const {
-    return result_.tried >= options_.tries || (options_.stop && options_.stop());
-  }
+  bool IsOver() const { return result_.tried >= options_.tries || IsStopped(); }
+  bool IsStopped() const { return options_.stop && options_.stop(); }
 
   /** Tries every reduction until it yields nothing. Returns whether any did. */
   bool TryAll() {
@@ -83,16 +86,40 @@ class Search {
     if (!asked_.insert(TextOf(candidate)).second) return false;
     ++result_.tried;
     if (options_.on_try) options_.on_try(result_.tried);
-    const RunReport report = AskAlone(candidate, oracle_);
-    const auto same = std::find_if(
-        report.findings.begin(), report.findings.end(),
-        [&](const Finding& finding) { return IsSameFault(finding, fault_); });
-    if (same == report.findings.end()) return false;
+    std::optional<Finding> same = SameFaultOn(candidate);
+    if (!same) return false;
+    const auto shifts = ShiftsWithFault(candidate, least_shifts_);
+    if (shifts && *shifts < least_shifts_) return false;
     ++result_.accepted;
     result_.question = std::move(candidate);
-    result_.finding = *same;
+    result_.finding = std::move(*same);
     size_ = size;
     return true;
+  }
+
+  /** Returns the finding that shows the fault on `question`, if any does. */
+  std::optional<Finding> SameFaultOn(const Question& question) const {
+    RunReport report = AskAlone(question, oracle_);
+    const auto same = std::ranges::find_if(report.findings, [&](const Finding& finding) {
+      return IsSameFault(finding, fault_);
+    });
+    if (same == report.findings.end()) return std::nullopt;
+    return std::move(*same);
+  }
+
+  /** Returns the number of shifts of `question` that show the fault, counted up to
+   `most`; empty for a world, or if the search is stopped. */
+  std::optional<std::size_t> ShiftsWithFault(const Question& question,
+                                             std::size_t most) const {
+    const auto* const scenario = std::get_if<Scenario>(&question);
+    if (scenario == nullptr) return std::nullopt;
+    std::size_t count = 0;
+    for (const Scenario& shifted : ShiftsOf(*scenario)) {
+      if (count == most) break;
+      if (IsStopped()) return std::nullopt;
+      if (IsValid(shifted) && SameFaultOn(shifted)) ++count;
+    }
+    return count;
   }
 
   const Oracle& oracle_;
@@ -101,7 +128,8 @@ class Search {
   std::string family_;
   Shrunk result_;
   Size size_;
-  std::set<std::string> asked_;  ///< Texts of the candidates that were asked.
+  std::size_t least_shifts_ = 0;  ///< That an accepted candidate shows the fault in.
+  std::set<std::string> asked_;   ///< Texts of the candidates that were asked.
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -27,6 +28,9 @@ struct Shrunk {
   std::size_t tried = 0;     ///< Candidates that the oracle was asked.
   std::size_t accepted = 0;  ///< Those of them that showed the fault and were kept.
   bool is_smallest = false;  ///< No reduction makes it smaller; else it was cut short.
+  /** Number of ShiftsOf() the question that show the fault, too; empty for a world, or if
+   the search was stopped. */
+  std::optional<std::size_t> shifts;
 };
 
 /** Puts `question` to `oracle` alone, and judges the answer without a ledger. */
@@ -38,7 +42,10 @@ RunReport AskAlone(const Question& question, const Oracle& oracle);
 
  The search is greedy. It tries the candidates of one reduction after the other
  (Reductions()). A candidate is kept if it is valid and smaller by SizeOf(), if the oracle
- answers it by the same algorithm, and if it shows the fault. The search ends when no
+ answers it by the same algorithm, and if it shows the fault. If the fault is no matter of
+ chance, it must stay so: a contact candidate shows it in at least half as many of its
+ ShiftsOf() as the original does. An exact tie of the original may stay a tie. The search
+ ends when no
  candidate is kept, the tries run out, or it is stopped. It is deterministic if the oracle
  is. The answer that a contact file expects and the indictments are removed: they hold for
  the original alone. */

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/shrink/shifts.h"
 #include "reports/text/commented.h"
 #include "reports/text/counted.h"
 #include "reports/writers/outcome.h"
@@ -42,6 +43,10 @@ std::string FileOf(const Shrunk& shrunk, const Question& original) {
              Counted(shrunk.tried, "smaller question"), shrunk.accepted,
              shrunk.is_smallest ? "" : "; it ended before the smallest")) +
          Comment(Sentence(shrunk.finding)) +
+         (shrunk.shifts ? Comment(fmt::format("B moved and turned by 1 %: {} of {} such "
+                                              "questions have the same fault.",
+                                              *shrunk.shifts, kShifts))
+                        : "") +
          Comment(fmt::format("Ask again: touchstone run THIS_FILE --subject {0} "
                              "--against {0}",
                              shrunk.finding.oracle)) +

@@ -13,6 +13,7 @@
 #include "reports/shrink/reductions.h"
 #include "reports/shrink/round_to_digits.h"
 #include "reports/shrink/same_fault.h"
+#include "reports/shrink/shifts.h"
 #include "reports/shrink/shrunk_file.h"
 #include "reports/shrink/size.h"
 #include "scenarios/scenario_file.h"
@@ -290,6 +291,62 @@ TEST(Shrink, EndsWithWhatItHasIfItIsStopped) {
   EXPECT_GT(shrunk.accepted, 0u);
   EXPECT_LT(SizeOf(shrunk.question), SizeOf(question));
   EXPECT_FALSE(shrunk.is_smallest);
+}
+
+TEST(Shifts, MoveBByAHundredthOfTheSmallestFeature) {
+  const Scenario boxes = TwoBoxes();
+  const std::vector<Scenario> shifts = ShiftsOf(boxes);
+  ASSERT_EQ(shifts.size(), kShifts);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Scenario& shifted : shifts) {
+    EXPECT_TRUE(IsValid(shifted));
+    const Pose& pose = shifted.contact.B.X_WB;
+    const Eigen::Vector3d moved = pose.p_WB - boxes.contact.B.X_WB.p_WB;
+    EXPECT_NEAR(moved.norm(), 0.01 * 0.3, 1e-15);
+    EXPECT_GT((pose.R_WB - boxes.contact.B.X_WB.R_WB).norm(), 1e-3);
+    sum += moved;
+  }
+  EXPECT_LT(sum.norm(), 1e-15);  // In all directions alike.
+}
+
+/** Two balls, B at (0.87654, 0, 0). */
+Question TwoBalls() {
+  Scenario balls = TwoBoxes();
+  balls.contact.A = {Sphere{0.5}, {}};
+  balls.contact.B = {Sphere{0.5}, Pose::FromQuaternion({0.87654, 0, 0}, {1, 0, 0, 0})};
+  return balls;
+}
+
+// A second fault, at distances of one digit, looks like the first one and has shorter
+// numbers.
+TEST(Shrink, DoesNotSlipToAFaultOfExactNumbers) {
+  const FakeOracle oracle =
+      FakeOracle::Wrong("wrong", [](const ContactQuery& query, ContactAnswer& answer) {
+        const double distance = (query.B.X_WB.p_WB - query.A.X_WB.p_WB).norm();
+        const bool is_of_one_digit = std::remainder(distance, 0.1) == 0;
+        if (is_of_one_digit || (distance > 0.82 && distance < 0.89))
+          *answer.separation -= 0.2;
+      });
+  const Question question = TwoBalls();
+  const Shrunk shrunk = Shrink(question, oracle, FirstFault(question, oracle));
+  EXPECT_GT(shrunk.accepted, 0u);
+  EXPECT_GE(shrunk.shifts.value(), kShifts / 2);
+  const auto& [A, B] = ContactOf(shrunk.question);
+  const double distance = (B.X_WB.p_WB - A.X_WB.p_WB).norm();
+  EXPECT_GT(distance, 0.82);
+  EXPECT_LT(distance, 0.89);
+}
+
+TEST(Shrink, KeepsAFaultOfAnExactTie) {
+  const FakeOracle oracle =
+      FakeOracle::Wrong("wrong", [](const ContactQuery& query, ContactAnswer& answer) {
+        if (query.B.X_WB.p_WB.y() == 0) *answer.separation -= 0.2;
+      });
+  const Question question = TwoBalls();
+  const Shrunk shrunk = Shrink(question, oracle, FirstFault(question, oracle));
+  EXPECT_GT(shrunk.accepted, 0u);
+  EXPECT_LT(shrunk.shifts.value(), kShifts);
+  EXPECT_TRUE(shrunk.is_smallest);
 }
 
 /** A fault of an engine that the ledger knows. */
