@@ -12,8 +12,8 @@ namespace touchstone {
 std::string_view NameOf(Touching touching);
 
 /** Returns the shape, sizes and pose: "box, half extents (1, 2, 3) m at (1.2, 0, 0),
- turned by the quaternion (w, x, y, z) = (…)", or by a matrix if the pose was given by one.
- The rotation is left out if it is the identity. */
+ turned by the quaternion (w, x, y, z) = (…)", or by a matrix if the pose was given by
+ one. The rotation is left out if it is the identity. */
 std::string Describe(const Body& body);
 
 /** Returns the truth and its certificate as a sentence. A scene whose numbers need no
