@@ -186,6 +186,24 @@ against the first of them: then it may be the engine.
   touchstone check-oracle ode                    check an oracle of this program
 )",
      "0 nothing is wrong; 1 something is; 2 bad input, or nothing could be asked"},
+    {"triage", R"(
+
+A sweep counts failures; this command finds what they have in common. It asks the gravest failure
+of each oracle, pair of shapes, measure and ending again, shrinks it, and takes failures whose
+smallest questions have the same library, algorithm, fault and shapes, or whose crashes have the
+same place, for one root cause. Each gets a folder: the smallest question, a program against the
+library's own API with its output, and a report for the library's tracker with the rate of the
+fault. index.md lists them, the worst first.
+
+With --baseline, root causes that an earlier triage has are listed last and do not count.
+)",
+     R"(
+  touchstone triage night
+  touchstone triage night --baseline yesterday/triage
+  touchstone triage night --out roots --time 1h --no-programs
+)",
+     "0 no root cause, with --baseline none that is new; 1 root causes; 2 bad input; "
+     "130 after Ctrl-C"},
     {"merge", R"(
 
 Joins the files of all shards of one sweep. The result is, byte for byte, the file of the sweep

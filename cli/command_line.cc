@@ -31,6 +31,7 @@
 #include "cli/commands/shrink_command.h"
 #include "cli/commands/simulate_command.h"
 #include "cli/commands/sweep_command.h"
+#include "cli/commands/triage_command.h"
 #include "cli/expected.h"
 #include "cli/external_oracles.h"
 #include "cli/input_error.h"
@@ -84,6 +85,7 @@ class CommandLine {
     AddOracles();
     AddSweep();
     AddMerge();
+    AddTriage();
     AddShrink();
     AddReproduce();
     AddBench();
@@ -520,6 +522,38 @@ class CommandLine {
     return band == "touching" ? Grade::kWrongTouch : Grade::kNone;
   }
 
+  void AddTriage() {
+    CLI::App* app = AddCommand("triage", "Find the root causes of a sweep's failures",
+                               [this] { return TriageCommand(session_, triage_); });
+    app->add_option("SWEEP", triage_.sweep,
+                    "folder that `touchstone sweep --out` wrote, or its sweep.sqlite")
+        ->required()
+        ->type_name("");
+    app->add_option("-o,--out", triage_.out,
+                    "folder for index.md and a folder a root cause (default: triage, "
+                    "beside the file of the sweep)")
+        ->type_name("DIR");
+    app->add_option("--baseline", triage_.baseline,
+                    "folder of an earlier triage: what it has is not new")
+        ->type_name("DIR");
+    app->add_option("--tries", triage_.tries, "most questions asked to shrink a failure")
+        ->check(WholeNumber(1, 1'000'000))
+        ->type_name("N")
+        ->capture_default_str();
+    app->add_option_function<std::string>(
+           "--time", [this](const std::string& text) { triage_.time = DurationOf(text); },
+           "examine no further kind of failure after that time, e.g. 90s, 10m or 2h")
+        ->check(Duration())
+        ->type_name("TIME");
+    app->add_flag_callback(
+        "--no-programs", [this] { triage_.run_programs = false; },
+        "do not build and run the programs against the libraries' own API");
+    AddExternal(app);
+    AddSetups(app);
+    AddJobs(app, triage_.jobs);
+    app->add_flag("--quiet", triage_.quiet, "show no progress");
+  }
+
   void AddMerge() {
     CLI::App* app = AddCommand("merge", "Join the shards of a sweep",
                                [this] { return MergeCommand(merge_); });
@@ -724,6 +758,7 @@ class CommandLine {
   AskArguments ask_;
   SweepArguments sweep_;
   MergeArguments merge_;
+  TriageArguments triage_;
   LedgerArguments ledger_;
   BenchArguments bench_;
   BenchWorldsArguments bench_worlds_;

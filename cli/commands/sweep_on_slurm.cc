@@ -11,6 +11,7 @@
 
 #include "cli/input_error.h"
 #include "cli/output_folder.h"
+#include "cli/shell.h"
 #include "cli/slurm/batch_script.h"
 #include "cli/slurm/slurm.h"
 #include "reports/sweep/sweep_file.h"

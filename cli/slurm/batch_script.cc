@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/shell.h"
+
 namespace touchstone {
 namespace {
 
@@ -18,19 +20,6 @@ bool HasJobs(const std::vector<std::string>& arguments) {
 }
 
 }  // namespace
-
-std::string ShellQuoted(const std::string& word) {
-  std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  quoted += '\'';
-  return quoted;
-}
 
 std::vector<std::string> WithoutSlurmOptions(const std::vector<std::string>& arguments) {
   std::vector<std::string> kept;

@@ -6,9 +6,6 @@
 
 namespace touchstone {
 
-/** Returns `word` quoted for a POSIX shell. */
-std::string ShellQuoted(const std::string& word);
-
 /** Returns the arguments of a sweep without those that only concern Slurm: `--slurm`,
  `--status`, `--tasks N` and `--sbatch-args TEXT`, also with `=`. */
 std::vector<std::string> WithoutSlurmOptions(const std::vector<std::string>& arguments);

@@ -1,32 +1,24 @@
 #include "cli/slurm/slurm.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <wordexp.h>
 
 #include "cli/input_error.h"
-#include "cli/slurm/batch_script.h"
+#include "cli/shell.h"
 
 namespace touchstone {
 namespace {
 
 /** Returns the standard output of a shell command; empty if it fails. */
 std::optional<std::string> OutputOf(const std::string& command) {
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return std::nullopt;
-  std::string text;
-  std::array<char, 4096> buffer;
-  for (std::size_t size;
-       (size = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    text.append(buffer.data(), size);
-  }
-  if (pclose(pipe) != 0) return std::nullopt;
-  return text;
+  CommandResult result = RunInShell(command);
+  if (result.code != 0) return std::nullopt;
+  return std::move(result.text);
 }
 
 }  // namespace
@@ -40,10 +32,6 @@ std::vector<QueuedTask> ParseQueue(const std::string& text) {
   while (lines >> job >> index >> state)
     tasks.push_back({job, std::strtoull(index.c_str(), nullptr, 10), state});
   return tasks;
-}
-
-bool IsInstalled(const std::string& command) {
-  return OutputOf(fmt::format("command -v {}", ShellQuoted(command))).has_value();
 }
 
 std::optional<std::vector<QueuedTask>> Queue() {

@@ -17,9 +17,6 @@ struct QueuedTask {
 /** Parses lines "JOB INDEX STATE"; the index of a job without an array is "N/A". */
 std::vector<QueuedTask> ParseQueue(const std::string& text);
 
-/** Returns whether `command` is on the PATH. */
-bool IsInstalled(const std::string& command);
-
 /** Returns the tasks of the user that wait or run; empty if Slurm's squeue is missing or
  fails. */
 std::optional<std::vector<QueuedTask>> Queue();

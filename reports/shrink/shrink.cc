@@ -56,7 +56,9 @@ class Search {
 
  private:
   bool IsOver() const { return result_.tried >= options_.tries || IsStopped(); }
-  bool IsStopped() const { return options_.stop && options_.stop(); }
+  bool IsStopped() const {
+    return hangs_ >= options_.hangs || (options_.stop && options_.stop());
+  }
 
   /** Tries every reduction until it yields nothing. Returns whether any did. */
   bool TryAll() {
@@ -98,8 +100,13 @@ class Search {
   }
 
   /** Returns the finding that shows the fault on `question`, if any does. */
-  std::optional<Finding> SameFaultOn(const Question& question) const {
+  std::optional<Finding> SameFaultOn(const Question& question) {
     RunReport report = AskAlone(question, oracle_);
+    if (std::ranges::any_of(report.findings, [](const Finding& finding) {
+          return finding.verdict == Verdict::kTimedOut;
+        })) {
+      ++hangs_;
+    }
     const auto same = std::ranges::find_if(report.findings, [&](const Finding& finding) {
       return IsSameFault(finding, fault_);
     });
@@ -109,8 +116,7 @@ class Search {
 
   /** Returns the number of shifts of `question` that show the fault, counted up to
    `most`; empty for a world, or if the search is stopped. */
-  std::optional<std::size_t> ShiftsWithFault(const Question& question,
-                                             std::size_t most) const {
+  std::optional<std::size_t> ShiftsWithFault(const Question& question, std::size_t most) {
     const auto* const scenario = std::get_if<Scenario>(&question);
     if (scenario == nullptr) return std::nullopt;
     std::size_t count = 0;
@@ -128,6 +134,7 @@ class Search {
   std::string family_;
   Shrunk result_;
   Size size_;
+  std::size_t hangs_ = 0;         ///< Answers that timed out.
   std::size_t least_shifts_ = 0;  ///< That an accepted candidate shows the fault in.
   std::set<std::string> asked_;   ///< Texts of the candidates that were asked.
 };

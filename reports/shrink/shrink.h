@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace touchstone {
 /** The limits of a search for a smaller question. */
 struct ShrinkOptions {
   std::size_t tries = 5000;  ///< Limit of the questions that the oracle is asked.
+  /** Limit of the answers that time out: each takes seconds. */
+  std::size_t hangs = std::numeric_limits<std::size_t>::max();
   /** Called before each question with the number of those asked; may be empty. */
   std::function<void(std::size_t)> on_try = nullptr;
   /** Returns whether the search ends with what it has; may be empty. */

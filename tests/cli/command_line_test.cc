@@ -720,6 +720,32 @@ TEST_F(CommandLineTest, SweepsWorldsAndWritesFailedOnesAsScenariosThatCanBeRun) 
   EXPECT_THAT(all.out, AllOf(HasSubstr("drifter: "), Not(HasSubstr("right"))));
 }
 
+TEST_F(CommandLineTest, FindsTheRootCausesOfASweep) {
+  Touchstone(
+      "sweep contact --subject half_depth,thrower,right --family random --pair "
+      "sphere sphere --count 30 --quiet --out " +
+      Path("night"));
+  const Ended ended = Touchstone("triage --no-programs " + Path("night"));
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("2 root causes."), HasSubstr("wrong depth"),
+                               HasSubstr("threw std::runtime_error: out of spheres")));
+  const std::string index = TextOf(Path("night/triage/index.md"));
+  EXPECT_THAT(index, AllOf(HasSubstr("| 1 | ["), HasSubstr("| 2 | ["),
+                           HasSubstr("half_depth"), Not(HasSubstr("right"))));
+  // The same again is nothing new.
+  const Ended again = Touchstone("triage --no-programs " + Path("night") + " --out " +
+                                 Path("again") + " --baseline " + Path("night/triage"));
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("2 root causes, 0 of them new since the baseline."));
+  EXPECT_EQ(TextOf(Path("again/roots.txt")), TextOf(Path("night/triage/roots.txt")));
+
+  const Ended none = Touchstone("triage " + Path("nothing"));
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("nothing"));
+  EXPECT_EQ(Touchstone("triage " + Path("night") + " --baseline " + Path("nothing")).code,
+            2);
+}
+
 TEST_F(CommandLineTest, WritesThePageOfASweepOfWorlds) {
   Touchstone("sweep world --subject drifter --family rods --count 20 --quiet --out " +
              Path("worlds"));

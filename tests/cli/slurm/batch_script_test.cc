@@ -14,12 +14,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(BatchScript, QuotesWhatAShellWouldExpand) {
-  EXPECT_EQ(ShellQuoted("a b$c"), "'a b$c'");
-  EXPECT_EQ(ShellQuoted("it's"), "'it'\\''s'");
-  EXPECT_EQ(ShellQuoted(""), "''");
-}
-
 TEST(BatchScript, WritesTheIndicesOfAnArrayAsRanges) {
   EXPECT_EQ(ArrayOf({3}), "3");
   EXPECT_EQ(ArrayOf({1, 2, 3}), "1-3");

@@ -1,0 +1,230 @@
+#include "cli/commands/triage_command.h"
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/input_error.h"
+#include "cli/interrupt.h"
+#include "cli/output_folder.h"
+#include "cli/progress_bar.h"
+#include "cli/select_oracles.h"
+#include "cli/shell.h"
+#include "reports/sweep/sweep_file.h"
+#include "reports/text/counted.h"
+#include "reports/threads/parallel_for.h"
+#include "reports/triage/known_faults.h"
+#include "reports/triage/root_files.h"
+#include "reports/triage/triage_index.h"
+
+namespace touchstone {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/** Returns the file of a finished sweep that `path` is or holds. */
+std::filesystem::path FileIn(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error) ? path / "sweep.sqlite" : path;
+}
+
+/** Throws InputError if the oracles of this program are not set up as those of the sweep,
+ which would be asked other questions. */
+void RequireSameOracles(const SweepFile& file,
+                        const std::vector<const Oracle*>& subjects) {
+  SweepPlan plan;
+  plan.subjects = subjects;
+  const std::string now = SettingsOf(plan).values.at("subjects");
+  const std::string& then = file.settings().values.at("subjects");
+  if (now == then) return;
+  throw InputError(
+      fmt::format("{}: it asked {}, not {}; expected the same versions and settings",
+                  file.file().string(), then, now));
+}
+
+/** Returns the keys of an earlier triage. Throws InputError. */
+std::set<std::string> KeysIn(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "roots.txt";
+  std::ifstream in(file);
+  if (!in) {
+    throw InputError(fmt::format(
+        "{}: cannot be read; expected the folder of an earlier `touchstone triage`",
+        file.string()));
+  }
+  std::set<std::string> keys;
+  for (std::string line; std::getline(in, line);) keys.insert(line);
+  return keys;
+}
+
+/** Calls `work(i)` for each of `count` items in several threads, with a progress bar,
+ until `stop`. Returns the number of items that were left out. */
+std::size_t ForEach(const Session& session, const TriageArguments& arguments,
+                    std::size_t count, const std::function<bool()>& stop,
+                    const std::function<void(std::size_t)>& work) {
+  ProgressBar bar(session.terminal, arguments.quiet);
+  std::mutex mutex;
+  std::size_t done = 0;
+  std::size_t left_out = 0;
+  ParallelFor(count, arguments.jobs, [&](std::size_t i) {
+    const bool is_over = stop();
+    if (!is_over) work(i);
+    const std::scoped_lock lock(mutex);
+    if (is_over) ++left_out;
+    bar.Show(++done, count);
+  });
+  return left_out;
+}
+
+/** The smallest questions of the symptoms, as far as there is time. */
+struct Examined {
+  std::vector<Specimen> specimens;
+  std::size_t left_out = 0;  ///< Symptoms that were not asked again.
+};
+
+Examined Examine(const Session& session, const TriageArguments& arguments,
+                 const std::vector<Symptom>& symptoms,
+                 const std::function<bool()>& stop) {
+  std::vector<std::optional<Specimen>> asked(symptoms.size());
+  Examined examined;
+  examined.left_out =
+      ForEach(session, arguments, symptoms.size(), stop, [&](std::size_t i) {
+        asked[i] =
+            AskAgain(symptoms[i], OracleNamed(session.registry, symptoms[i].key.oracle));
+      });
+  for (std::optional<Specimen>& specimen : asked) {
+    if (specimen) examined.specimens.push_back(std::move(*specimen));
+  }
+  examined.specimens = Joined(std::move(examined.specimens));
+  const SmallestOptions options{.tries = static_cast<std::size_t>(arguments.tries),
+                                .stop = stop};
+  // What there is no time for stays as large as it is.
+  ForEach(session, arguments, examined.specimens.size(), stop, [&](std::size_t i) {
+    Specimen& specimen = examined.specimens[i];
+    if (specimen.is_repeatable) specimen = Smallest(std::move(specimen), options);
+  });
+  return examined;
+}
+
+/** Builds and runs the program in `folder`, in a folder of its own that is removed. */
+ProgramOutput OutputOf(const std::filesystem::path& folder) {
+  const std::string quoted = ShellQuoted(folder.string());
+  const CommandResult built = RunInShell(fmt::format(
+      "d=$(mktemp -d) && cmake -S {0} -B \"$d\" >\"$d/log\" 2>&1 && "
+      "cmake --build \"$d\" >>\"$d/log\" 2>&1 || {{ tail -n 5 \"$d/log\"; rm -rf \"$d\"; "
+      "exit 125; }}; timeout 60 \"$d/reproduce\" 2>&1; code=$?; rm -rf \"$d\"; exit "
+      "$code",
+      quoted));
+  constexpr int kNotBuilt = 125;
+  if (built.code == kNotBuilt) return {"It could not be built:\n" + built.text, false};
+  return {built.text, built.code == 1};
+}
+
+/** Returns what the index says of a program. */
+std::string WordsOf(const RootProgram& program,
+                    const std::optional<ProgramOutput>& output) {
+  if (!program.files) return "none";
+  if (!output) return "not run";
+  return output->shows_fault ? "shows it" : "does not show it";
+}
+
+/** Returns a name that no earlier root has. */
+std::string UniqueFolder(const Root& root, std::set<std::string>& names) {
+  std::string name = FolderOf(root);
+  for (int i = 2; !names.insert(name).second; ++i)
+    name = fmt::format("{}_{}", FolderOf(root), i);
+  return name;
+}
+
+/** Writes the folder of a root. */
+IndexedRoot WriteRoot(const OutputFolder& out, const std::filesystem::path& path,
+                      const Root& root, std::string folder, const Ledger& ledger,
+                      bool run_programs) {
+  const auto write = [&](const char* name, const std::string& text) {
+    out.Write(std::filesystem::path(folder) / name,
+              [&](std::ostream& to) { to << text; });
+  };
+  const Specimen& smallest = root.smallest();
+  write("case.toml", CaseFile(root));
+  write("original.toml", TextOf(smallest.original));
+  const RootProgram program = ProgramOf(root);
+  std::optional<ProgramOutput> output;
+  if (program.files) {
+    write("reproduce.cc", program.files->program);
+    write("CMakeLists.txt", program.files->build);
+    if (run_programs) output = OutputOf(path / folder);
+  }
+  const std::vector<std::string> known =
+      KnownFaultsLike(smallest.finding, smallest.oracle->info(), ledger);
+  write("REPORT.md", ReportOf(root, program, output, known));
+  return {.root = &root,
+          .folder = std::move(folder),
+          .is_new = known.empty(),
+          .program = WordsOf(program, output)};
+}
+
+}  // namespace
+
+int TriageCommand(const Session& session, const TriageArguments& arguments) try {
+  const std::filesystem::path path = FileIn(arguments.sweep);
+  const std::filesystem::path folder =
+      arguments.out.empty() ? path.parent_path() / "triage" : arguments.out;
+  std::set<std::string> before;
+  if (arguments.baseline) before = KeysIn(*arguments.baseline);
+  const SweepFile file = SweepFile::Open(path);
+  std::vector<const Oracle*> subjects;
+  for (const std::string& name : file.settings().subjects)
+    subjects.push_back(&OracleNamed(session.registry, name));
+  RequireSameOracles(file, subjects);
+  const OutputFolder out(folder);
+
+  const Interrupt interrupt;
+  const Clock::time_point start = Clock::now();
+  const auto stop = [&] {
+    return Interrupt::signal() != 0 ||
+           (arguments.time && Clock::now() - start >= *arguments.time);
+  };
+  const std::vector<Symptom> symptoms = SymptomsOf(file);
+  Examined examined = Examine(session, arguments, symptoms, stop);
+  TriageIndex index;
+  index.sweep = path.string();
+  index.left_out = examined.left_out;
+  index.has_baseline = arguments.baseline.has_value();
+  for (const Specimen& specimen : examined.specimens) {
+    if (!specimen.is_repeatable) index.unrepeatable.push_back(specimen);
+  }
+  const std::vector<Root> roots = RootsOf(std::move(examined.specimens));
+  const Ledger ledger = BuiltInLedger(session, {}, {});
+  const bool run_programs = arguments.run_programs && IsInstalled("cmake");
+  std::set<std::string> names;
+  {
+    ProgressBar bar(session.terminal, arguments.quiet);
+    for (const Root& root : roots) {
+      IndexedRoot entry = WriteRoot(out, folder, root, UniqueFolder(root, names), ledger,
+                                    run_programs && Interrupt::signal() == 0);
+      entry.is_fresh = arguments.baseline && !before.contains(KeyLine(root.key));
+      index.roots.push_back(std::move(entry));
+      bar.Show(index.roots.size(), roots.size());
+    }
+  }
+  out.Write("index.md", [&](std::ostream& to) { to << IndexPage(index); });
+  out.Write("roots.txt", [&](std::ostream& to) { to << KeysFile(roots); });
+  const auto fresh = std::ranges::count_if(index.roots, &IndexedRoot::is_fresh);
+  std::cout << SummaryOf(index);
+  std::cout << fmt::format("Wrote {}\n", (folder / "index.md").string());
+  if (const int signal = Interrupt::signal()) return 128 + signal;
+  return arguments.baseline ? (fresh > 0 ? 1 : 0) : (roots.empty() ? 0 : 1);
+} catch (const SweepFileError& error) {
+  throw InputError(error.what());
+}
+
+}  // namespace touchstone

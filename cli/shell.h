@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace touchstone {
+
+/** What a shell command printed to standard output, and how it ended. */
+struct CommandResult {
+  std::string text;
+  int code = 0;  ///< Exit code; 127 if there is no shell, 128 + signal after a signal.
+};
+
+/** Runs a command in a POSIX shell, and waits for it. */
+CommandResult RunInShell(const std::string& command);
+
+/** Returns `word` quoted for a POSIX shell. */
+std::string ShellQuoted(const std::string& word);
+
+/** Returns whether the shell finds a program of that name. */
+bool IsInstalled(const std::string& program);
+
+}  // namespace touchstone

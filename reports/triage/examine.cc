@@ -1,0 +1,119 @@
+#include "reports/triage/examine.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "reports/contacts/judge_variant.h"
+#include "reports/finding/decisive.h"
+#include "reports/finding/ending.h"
+#include "reports/shrink/shrink.h"
+#include "scenarios/scenario_file.h"
+
+namespace touchstone {
+namespace {
+
+/** The number of answers that may time out while a question is shrunk: twenty seconds. */
+constexpr std::size_t kHangs = 10;
+
+/** @pre The sweep wrote `text`. */
+Question QuestionIn(const std::string& text) {
+  ReadResult read = ReadScenario(text, "a kept failure");
+  if (read.world) return std::move(*read.world);
+  return std::move(read.scenario.value());
+}
+
+bool IsOfAVariant(MeasureKind measure) {
+  return measure >= MeasureKind::kSwap && measure <= MeasureKind::kPerturbation;
+}
+
+/** Returns whether `report` has a finding of the symptom. */
+bool Shows(const RunReport& report, const Symptom::Key& key) {
+  return std::ranges::any_of(report.findings, [&](const Finding& finding) {
+    return finding.measure == key.measure && finding.verdict == key.verdict &&
+           finding.law == key.law && EndingOf(finding) == key.ending;
+  });
+}
+
+/** Returns the decisive fault of a report of one answer: of the answer itself or, if that
+ is right, of a variant. Nothing if the oracle is right. */
+std::optional<Finding> FaultIn(const RunReport& report) {
+  std::vector<Finding> of_answer;
+  std::vector<Finding> of_variants;
+  for (const Finding& finding : report.findings) {
+    if (!IsFailure(finding.verdict)) continue;
+    (IsOfAVariant(finding.measure) ? of_variants : of_answer).push_back(finding);
+  }
+  const Finding* const decisive = DecisiveOf(of_answer.empty() ? of_variants : of_answer);
+  return decisive == nullptr ? std::nullopt : std::optional(*decisive);
+}
+
+/** A question with a fault of its own. */
+struct Found {
+  Question question;
+  RunReport report;
+  Finding finding;
+};
+
+/** Returns a variant of `scenario` that the oracle answers wrongly by itself. */
+std::optional<Found> WrongVariant(const Scenario& scenario, MeasureKind measure,
+                                  const Oracle& oracle) {
+  for (const Variant& variant : VariantsOf(scenario)) {
+    if (variant.measure != measure) continue;
+    Scenario varied = scenario;
+    varied.contact = variant.query;
+    if (!IsValid(varied)) continue;
+    RunReport report = AskAlone(varied, oracle);
+    std::optional<Finding> fault = FaultIn(report);
+    if (fault && !IsOfAVariant(fault->measure))
+      return Found{std::move(varied), std::move(report), std::move(*fault)};
+  }
+  return std::nullopt;
+}
+
+/** Returns the question and the fault to shrink. Nothing if the oracle does not show the
+ symptom again. */
+std::optional<Found> FaultOf(const Symptom& symptom, const Question& original,
+                             const Oracle& oracle) {
+  RunReport report = AskAlone(original, oracle);
+  if (!Shows(report, symptom.key)) return std::nullopt;
+  std::optional<Finding> fault = FaultIn(report);
+  if (const auto* const scenario = std::get_if<Scenario>(&original);
+      scenario != nullptr && IsOfAVariant(fault.value().measure)) {
+    if (auto found = WrongVariant(*scenario, fault->measure, oracle)) return found;
+  }
+  return Found{original, std::move(report), std::move(*fault)};
+}
+
+}  // namespace
+
+Specimen AskAgain(const Symptom& symptom, const Oracle& oracle) {
+  Specimen specimen;
+  specimen.symptoms = {symptom};
+  specimen.oracle = &oracle;
+  specimen.original = QuestionIn(symptom.gravest.scenario);
+  std::optional<Found> fault = FaultOf(symptom, specimen.original, oracle);
+  if (!fault) return specimen;
+  specimen.is_repeatable = true;
+  specimen.question = std::move(fault->question);
+  specimen.report = std::move(fault->report);
+  specimen.finding = std::move(fault->finding);
+  return specimen;
+}
+
+Specimen Smallest(Specimen specimen, const SmallestOptions& options) {
+  const Oracle& oracle = *specimen.oracle;
+  Shrunk shrunk = Shrink(specimen.question, oracle, specimen.finding,
+                         {.tries = options.tries, .hangs = kHangs, .stop = options.stop});
+  RunReport report = AskAlone(shrunk.question, oracle);
+  std::optional<Finding> finding = FaultIn(report);
+  // An engine that answers by chance may be right the last time.
+  if (!finding) return specimen;
+  specimen.question = std::move(shrunk.question);
+  specimen.report = std::move(report);
+  specimen.finding = std::move(*finding);
+  specimen.shifts = shrunk.shifts;
+  return specimen;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "oracles/oracle.h"
+#include "reports/run_report.h"
+#include "reports/shrink/question.h"
+#include "reports/triage/symptom.h"
+
+namespace touchstone {
+
+/** A question that shows symptoms. */
+struct Specimen {
+  std::vector<Symptom> symptoms;  ///< Those it stands for, the gravest first.
+  const Oracle* oracle = nullptr;
+  Question original;  ///< The gravest question of the first symptom.
+  /** Whether the oracle failed `original` again. If not, nothing below is set. */
+  bool is_repeatable = false;
+  Question question;
+  RunReport report;  ///< That of AskAlone(question, *oracle).
+  /** The decisive one of the answer in `report` or, if that is right, of a variant. */
+  Finding finding;
+  std::optional<std::size_t> shifts;  ///< Same as Shrunk::shifts.
+};
+
+/** Asks the gravest question of a symptom again. Where the answer to it is right and only
+ a variant is answered wrongly, the variant becomes the question, if the oracle is wrong
+ about it alone. */
+Specimen AskAgain(const Symptom& symptom, const Oracle& oracle);
+
+/** The limits of a search for the smallest question. */
+struct SmallestOptions {
+  std::size_t tries = 300;               ///< Same as ShrinkOptions::tries.
+  std::function<bool()> stop = nullptr;  ///< Same as ShrinkOptions::stop.
+};
+
+/** Returns `specimen` with the smallest question that shows its fault. Gives up where the
+ engine hangs ten times. @pre It is repeatable. */
+Specimen Smallest(Specimen specimen, const SmallestOptions& options);
+
+}  // namespace touchstone

@@ -1,0 +1,198 @@
+#include "reports/triage/root.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "reports/clusters/measure_words.h"
+#include "reports/finding/ending.h"
+#include "reports/shrink/size.h"
+
+namespace touchstone {
+namespace {
+
+/** Returns what the oracle does wrong, in the words of a user. Measures that one fault of
+ an algorithm shows by turns have the same. */
+std::string FailureOf(const Specimen& specimen) {
+  const Finding& finding = specimen.finding;
+  if (std::holds_alternative<WorldScenario>(specimen.question)) {
+    return fmt::format("{}{}", FaultInWords(finding.measure),
+                       finding.law.empty() ? "" : fmt::format(" ({})", finding.law));
+  }
+  const bool touching =
+      specimen.report.scenarios.front().truth.touching != Touching::kApart;
+  switch (finding.measure) {
+    case MeasureKind::kTouching:
+      return touching ? "misses a contact" : "reports a contact where there is none";
+    case MeasureKind::kSeparationError:
+    case MeasureKind::kConsistencyError:
+    case MeasureKind::kContactTooDeep:
+    case MeasureKind::kContactSeparationError:
+      return touching ? "states a wrong depth" : "states a wrong distance";
+    case MeasureKind::kExcess:
+    case MeasureKind::kMixedNormals:
+      return "gives a wrong normal";
+    case MeasureKind::kContactSurfaceError:
+    case MeasureKind::kContactOffPatch:
+    case MeasureKind::kPatchCoverage:
+    case MeasureKind::kContactCount:
+      return "gives wrong contact points";
+    case MeasureKind::kDualityGap:
+    case MeasureKind::kWitnessError:
+      return "gives wrong nearest points";
+    case MeasureKind::kSwap:
+    case MeasureKind::kRigidMotion:
+    case MeasureKind::kScaling:
+    case MeasureKind::kRelabelling:
+    case MeasureKind::kPerturbation:
+      return "answers differently in another frame";
+    default:
+      return std::string(FaultInWords(finding.measure));
+  }
+}
+
+/** Returns whether the code that fails is likely to be of the shapes alone. */
+bool IsOfItsShapes(const Specimen& specimen, const RootKey& key) {
+  return key.algorithm == "closed_form" || key.place.starts_with("killed by ") ||
+         std::holds_alternative<WorldScenario>(specimen.question);
+}
+
+/** Returns the kinds of the bodies, each once and sorted; both of a contact question. */
+std::string ShapesOf(const Question& question) {
+  std::vector<std::string_view> names;
+  for (const Body* const body : BodiesOf(question)) {
+    names.push_back(NameOf(KindOf(body->shape)));
+  }
+  std::ranges::sort(names);
+  if (std::holds_alternative<WorldScenario>(question)) {
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+  }
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::string AlgorithmOf(const Specimen& specimen) {
+  const auto* const scenario = std::get_if<Scenario>(&specimen.question);
+  if (scenario == nullptr) return "";
+  const auto& [A, B] = scenario->contact;
+  return specimen.oracle->info().For(KindOf(A.shape), KindOf(B.shape)).family;
+}
+
+Band BandOf(const Specimen& specimen) {
+  // The gravest symptom is the first.
+  const FindingKind& kind = specimen.symptoms.front().gravest.kind;
+  return kind.ending.empty() ? static_cast<Band>(kind.band) : Band::kWrong;
+}
+
+/** Completes a root from its specimens. */
+void Sum(Root& root) {
+  std::ranges::stable_sort(root.specimens, std::less{}, [](const Specimen& specimen) {
+    return SizeOf(specimen.question);
+  });
+  for (const Specimen& specimen : root.specimens) {
+    for (const Symptom& symptom : specimen.symptoms) {
+      for (const auto& [asked, rate] : symptom.rates) {
+        Rate& of_oracle = root.rates[{symptom.key.oracle, asked}];
+        of_oracle.failed += rate.failed;
+        of_oracle.asked = rate.asked;
+      }
+    }
+    root.band = std::max(root.band, BandOf(specimen));
+  }
+  for (const auto& [of, rate] : root.rates) root.rate += rate;
+  root.gravity = static_cast<int>(root.band) + 0.5 * std::log10(ShareOf(root.rate));
+}
+
+}  // namespace
+
+RootKey KeyOf(const Specimen& specimen) {
+  RootKey key{.library = specimen.oracle->info().library,
+              .algorithm = AlgorithmOf(specimen),
+              .failure = FailureOf(specimen),
+              .place = EndingOf(specimen.finding),
+              .shapes = {}};
+  if (IsOfItsShapes(specimen, key)) key.shapes = ShapesOf(specimen.question);
+  return key;
+}
+
+std::vector<Specimen> Joined(std::vector<Specimen> specimens) {
+  std::vector<Specimen> joined;
+  std::map<RootKey, std::size_t> places;  // In `joined`.
+  for (Specimen& specimen : specimens) {
+    if (specimen.is_repeatable) {
+      const auto [place, is_new] = places.emplace(KeyOf(specimen), joined.size());
+      if (!is_new) {
+        std::vector<Symptom>& symptoms = joined[place->second].symptoms;
+        std::ranges::move(specimen.symptoms, std::back_inserter(symptoms));
+        continue;
+      }
+    }
+    joined.push_back(std::move(specimen));
+  }
+  return joined;
+}
+
+std::vector<Root> RootsOf(std::vector<Specimen> specimens) {
+  std::map<RootKey, Root> roots;
+  for (Specimen& specimen : specimens) {
+    if (!specimen.is_repeatable) continue;
+    RootKey key = KeyOf(specimen);
+    roots[std::move(key)].specimens.push_back(std::move(specimen));
+  }
+  std::vector<Root> sorted;
+  for (auto& [key, root] : roots) {
+    root.key = key;
+    Sum(root);
+    sorted.push_back(std::move(root));
+  }
+  std::ranges::stable_sort(sorted, std::greater{}, &Root::gravity);
+  return sorted;
+}
+
+std::string TitleOf(const Root& root) {
+  const RootKey& key = root.key;
+  std::string title = fmt::format(
+      "{} {}{} {}", key.library, root.smallest().oracle->info().version,
+      key.algorithm.empty() ? "" : fmt::format(" ({})", key.algorithm), key.failure);
+  for (const std::string* const part : {&key.place, &key.shapes}) {
+    if (!part->empty()) title += ": " + *part;
+  }
+  return title;
+}
+
+std::vector<std::string> OraclesOf(const Root& root) {
+  std::set<std::string> names;
+  for (const Specimen& specimen : root.specimens) {
+    for (const Symptom& symptom : specimen.symptoms) names.insert(symptom.key.oracle);
+  }
+  return {names.begin(), names.end()};
+}
+
+std::string FolderOf(const Root& root) {
+  constexpr std::size_t kLongest = 80;
+  const RootKey& key = root.key;
+  std::string name;
+  for (const std::string* const part :
+       {&key.library, &key.algorithm, &key.failure, &key.place, &key.shapes}) {
+    if (part->empty()) continue;
+    if (!name.empty() && name.back() != '_') name += '_';
+    for (const char letter : *part) {
+      const auto c = static_cast<unsigned char>(letter);
+      if (std::isalnum(c) != 0) {
+        name += static_cast<char>(std::tolower(c));
+      } else if (!name.empty() && name.back() != '_') {
+        name += '_';
+      }
+    }
+  }
+  name.resize(std::min(name.size(), kLongest));
+  while (name.ends_with('_')) name.pop_back();
+  return name;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <compare>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reports/clusters/clusters.h"
+#include "reports/triage/examine.h"
+#include "reports/triage/rate.h"
+
+namespace touchstone {
+
+/** The properties by which failures are taken to have one root cause in the code of a
+ library. */
+struct RootKey {
+  std::string library;
+  std::string algorithm;  ///< Capability::family; empty for a world.
+  std::string failure;    ///< "states a wrong depth"
+  std::string place;      ///< EndingOf() the finding, of a missing answer.
+  /** Those of the smallest question, if its code is likely to be of these shapes alone: a
+   closed form, a world, or a signal that names no place. Empty otherwise: an iterative
+   algorithm calls the same code for all shapes. */
+  std::string shapes;
+
+  auto operator<=>(const RootKey&) const = default;
+};
+
+/** Returns the key of a specimen. @pre It is repeatable. */
+RootKey KeyOf(const Specimen& specimen);
+
+/** Returns specimens of the same key as one, that of the gravest symptom, which then
+ stands for the symptoms of all. Keeps the order, and those that are not repeatable. */
+std::vector<Specimen> Joined(std::vector<Specimen> specimens);
+
+/** Failures with one root cause. */
+struct Root {
+  RootKey key;
+  std::vector<Specimen> specimens;  ///< The one of the smallest question first.
+  /** How often it was found, by oracle and by Symptom::rates. */
+  std::map<std::pair<std::string, std::string>, Rate> rates;
+  Rate rate;                ///< Sum of `rates`.
+  Band band = Band::kNone;  ///< The gravest that the sweep has found.
+  /** What it does to users: the number of its band, plus half of the decimal logarithm of
+   its rate, so that one band weighs as much as a hundred times the frequency. [-] */
+  double gravity = 0;
+
+  const Specimen& smallest() const { return specimens.front(); }
+};
+
+/** Returns the roots of the repeatable specimens, those of most gravity first. */
+std::vector<Root> RootsOf(std::vector<Specimen> specimens);
+
+/** Returns e.g. "FCL 0.7.0 (closed_form) states a wrong depth: box and sphere". */
+std::string TitleOf(const Root& root);
+
+/** Returns the oracles that show it, sorted. */
+std::vector<std::string> OraclesOf(const Root& root);
+
+/** Returns a name for its folder, made from the key alone: lower-case letters, digits and
+ '_'. Two roots may have the same. */
+std::string FolderOf(const Root& root);
+
+}  // namespace touchstone

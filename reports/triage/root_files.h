@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/reproduce/reproduction.h"
+#include "reports/triage/root.h"
+
+namespace touchstone {
+
+/** Returns case.toml: the smallest question as a scenario file that indicts the oracle.
+ */
+std::string CaseFile(const Root& root);
+
+/** A program that shows a root, or why there is none. */
+struct RootProgram {
+  std::optional<Reproduction> files;
+  std::string reason;  ///< Why there is none, without a stop.
+};
+
+/** Returns the program for the smallest question of a root. */
+RootProgram ProgramOf(const Root& root);
+
+/** What a program printed when it was run. */
+struct ProgramOutput {
+  std::string text;
+  bool shows_fault = false;  ///< Whether it was built and ended with exit code 1.
+};
+
+/** Returns REPORT.md, a text for the tracker of the library: what was asked, the answer
+ with its proof, the output of the program, how common it is, and whether it is known.
+ @param output Empty if the program was not run.
+ @param known KnownFaultsLike() its finding. */
+std::string ReportOf(const Root& root, const RootProgram& program,
+                     const std::optional<ProgramOutput>& output,
+                     const std::vector<std::string>& known);
+
+}  // namespace touchstone

@@ -1,0 +1,100 @@
+#include "reports/triage/triage_index.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "reports/text/counted.h"
+
+namespace touchstone {
+namespace {
+
+std::string RowOf(std::size_t number, const IndexedRoot& entry) {
+  const Root& root = *entry.root;
+  return fmt::format("| {} | [{}]({}/REPORT.md) | {} | {:.3g} % | {} | {}{} | {} |\n",
+                     number, TitleOf(root), entry.folder, NameOf(root.band),
+                     100 * ShareOf(root.rate), fmt::join(OraclesOf(root), ", "),
+                     entry.is_fresh ? "**new since the baseline**, " : "",
+                     entry.is_new ? "not in the ledger" : "maybe known", entry.program);
+}
+
+std::string UnrepeatablePart(const TriageIndex& index) {
+  if (index.unrepeatable.empty()) return "";
+  std::string list;
+  for (const Specimen& specimen : index.unrepeatable) {
+    const Symptom& symptom = specimen.symptoms.front();
+    list +=
+        fmt::format("- {}: {} ({}), {}\n", symptom.key.oracle,
+                    NameOf(symptom.key.measure), symptom.key.of, IdOf(specimen.original));
+  }
+  return fmt::format(
+      "## Not repeated\n\n{} failed in the sweep and not when asked again: the answer "
+      "depends on more than the question.\n\n{}\n",
+      Counted(index.unrepeatable.size(), "kind of failure", "kinds of failure"), list);
+}
+
+/** Returns the roots, those that are fresh first. */
+std::vector<IndexedRoot> FreshFirst(const TriageIndex& index) {
+  std::vector<IndexedRoot> sorted = index.roots;
+  std::stable_partition(sorted.begin(), sorted.end(),
+                        [](const IndexedRoot& entry) { return entry.is_fresh; });
+  return sorted;
+}
+
+/** Returns how many roots there are, and what there was no time for, as sentences. */
+std::string CountOf(const TriageIndex& index) {
+  const auto fresh = std::ranges::count_if(index.roots, &IndexedRoot::is_fresh);
+  return fmt::format(
+      "{}{}.{}", Counted(index.roots.size(), "root cause"),
+      index.has_baseline ? fmt::format(", {} of them new since the baseline", fresh) : "",
+      index.left_out > 0 ? fmt::format(" {} not examined: the time was over.",
+                                       Counted(index.left_out, "kind of failure was",
+                                               "kinds of failure were"))
+                         : "");
+}
+
+}  // namespace
+
+std::string SummaryOf(const TriageIndex& index) {
+  std::string text = CountOf(index) + "\n";
+  for (const IndexedRoot& entry : FreshFirst(index)) {
+    text += fmt::format("{:>8.3g} %  {:<13}{}{}\n", 100 * ShareOf(entry.root->rate),
+                        NameOf(entry.root->band), entry.is_fresh ? "new: " : "",
+                        TitleOf(*entry.root));
+  }
+  return text;
+}
+
+std::string IndexPage(const TriageIndex& index) {
+  const std::vector<IndexedRoot> sorted = FreshFirst(index);
+  std::string rows;
+  for (std::size_t i = 0; i < sorted.size(); ++i) rows += RowOf(i + 1, sorted[i]);
+  return fmt::format(
+      "# Root causes of {}\n\n{} The worst come first: one band weighs as much as a "
+      "hundred times the frequency.\n\n"
+      "| | root cause | gravest | of its questions | oracles | known | program |\n"
+      "|---|---|---|---|---|---|---|\n{}\n"
+      "Each folder has `case.toml`, the smallest question that shows it; "
+      "`original.toml`, "
+      "one that the sweep asked; `REPORT.md`, a text for the library's tracker; and, "
+      "where "
+      "one can be written, a program against the library's own API.\n\n{}",
+      index.sweep, CountOf(index), rows, UnrepeatablePart(index));
+}
+
+std::string KeyLine(const RootKey& key) {
+  std::string line = fmt::format("{} | {} | {} | {} | {}", key.library, key.algorithm,
+                                 key.failure, key.place, key.shapes);
+  std::ranges::replace(line, '\n', ' ');
+  return line;
+}
+
+std::string KeysFile(const std::vector<Root>& roots) {
+  std::vector<std::string> lines;
+  for (const Root& root : roots) lines.push_back(KeyLine(root.key) + "\n");
+  std::ranges::sort(lines);
+  return fmt::format("{}", fmt::join(lines, ""));
+}
+
+}  // namespace touchstone

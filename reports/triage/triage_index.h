@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/triage/root.h"
+
+namespace touchstone {
+
+/** A root as the index lists it. */
+struct IndexedRoot {
+  const Root* root = nullptr;
+  std::string folder;        ///< Relative to the index.
+  bool is_new = false;       ///< Whether the ledger has no fault like it.
+  bool is_fresh = false;     ///< Whether an earlier triage did not have it.
+  std::string program = {};  ///< "shows it", "not run", "none", …
+};
+
+/** The index of a triage. */
+struct TriageIndex {
+  std::string sweep;  ///< The file that was read.
+  std::vector<IndexedRoot> roots;
+  std::vector<Specimen> unrepeatable;
+  std::size_t left_out = 0;   ///< Symptoms that were not examined.
+  bool has_baseline = false;  ///< Whether is_fresh means anything.
+};
+
+/** Returns index.md: a table of the roots, those that are fresh first. */
+std::string IndexPage(const TriageIndex& index);
+
+/** Returns the roots as lines for a console: rank, rate, title. */
+std::string SummaryOf(const TriageIndex& index);
+
+/** Returns roots.txt: the keys of the roots, one a line, for a later triage. */
+std::string KeysFile(const std::vector<Root>& roots);
+
+/** Returns the line of a root in roots.txt, without its end. */
+std::string KeyLine(const RootKey& key);
+
+}  // namespace touchstone

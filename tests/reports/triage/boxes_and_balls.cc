@@ -1,0 +1,54 @@
+#include "tests/reports/triage/boxes_and_balls.h"
+
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "reports/finding/ending.h"
+#include "reports/shrink/shrink.h"
+#include "reports/writers/outcome.h"
+
+namespace touchstone {
+
+Scenario BoxAnd(Shape B, const Eigen::Vector3d& p_WB) {
+  // Moved in: GCC 12 warns of assigned literals here.
+  Scenario scenario;
+  scenario.id = std::string("mine/question");
+  scenario.title = std::string("A box and another body");
+  scenario.source = std::string("none");
+  scenario.name_A = std::string("A");
+  scenario.name_B = std::string("B");
+  scenario.contact.A = {Box{{1, 1, 1}}, {}};
+  scenario.contact.B = {std::move(B), Pose::FromQuaternion(p_WB, {1, 0, 0, 0})};
+  return scenario;
+}
+
+Symptom SymptomIn(const Scenario& scenario, const Oracle& oracle) {
+  const RunReport report = AskAlone(scenario, oracle);
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  EXPECT_TRUE(IsFailure(outcomes.front().verdict));
+  const Finding& finding = *outcomes.front().decisive;
+  const std::string ending = EndingOf(finding);
+  Symptom symptom;
+  Symptom::Key& key = symptom.key;
+  key.oracle = oracle.info().name;
+  key.of = std::string("box, sphere");
+  key.measure = finding.measure;
+  key.verdict = finding.verdict;
+  key.ending = ending;
+  FindingKind& kind = symptom.gravest.kind;
+  kind.measure = finding.measure;
+  kind.verdict = finding.verdict;
+  kind.band = finding.grade;
+  kind.cause = finding.cause;
+  kind.ending = ending;
+  symptom.gravest.scenario = TextOf(scenario);
+  symptom.rates.emplace("random, box and sphere", Rate{5, 100});
+  return symptom;
+}
+
+Specimen SmallestIn(const Scenario& scenario, const Oracle& oracle) {
+  return Smallest(AskAgain(SymptomIn(scenario, oracle), oracle), {});
+}
+
+}  // namespace touchstone

@@ -1,0 +1,138 @@
+#include "reports/triage/root.h"
+
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "oracles/no_answer.h"
+#include "reports/shrink/shrink.h"
+#include "reports/triage/root_files.h"
+#include "scenarios/scenario_file.h"
+#include "tests/reports/fake_oracle.h"
+#include "tests/reports/triage/boxes_and_balls.h"
+
+namespace touchstone {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/** Returns an oracle of `library` that is wrong as `plant` says. */
+FakeOracle Of(const std::string& name, const std::string& library,
+              const std::function<void(const ContactQuery&, ContactAnswer&)>& plant) {
+  FakeOracle oracle = FakeOracle::Wrong(name, plant);
+  oracle.info().library = library;
+  oracle.info().version = "1.2";
+  return oracle;
+}
+
+void DoubleTheDepth(const ContactQuery&, ContactAnswer& answer) {
+  if (answer.touching && answer.separation) *answer.separation *= 2;
+}
+
+Specimen SpecimenOf(const Scenario& question, const Oracle& oracle) {
+  return SmallestIn(question, oracle);
+}
+
+const Scenario kBoxAndBall = BoxAnd(Sphere{0.5123}, {1.2345, 0.1, 0.2});
+const Scenario kTwoBoxes = BoxAnd(Box{{0.5, 0.6, 0.7}}, {1.2345, 0.1, 0.2});
+
+// One iterative algorithm for all shapes.
+TEST(Roots, JoinPairsOfShapesAndOraclesOfALibrary) {
+  const FakeOracle one = Of("lib/one", "Lib", DoubleTheDepth);
+  const FakeOracle two = Of("lib/two", "Lib", DoubleTheDepth);
+  const std::vector<Root> roots =
+      RootsOf({SpecimenOf(kBoxAndBall, one), SpecimenOf(kTwoBoxes, one),
+               SpecimenOf(kTwoBoxes, two)});
+  ASSERT_EQ(roots.size(), 1U);
+  EXPECT_EQ(roots[0].specimens.size(), 3U);
+  EXPECT_THAT(OraclesOf(roots[0]), ElementsAre("lib/one", "lib/two"));
+  EXPECT_THAT(TitleOf(roots[0]),
+              AllOf(HasSubstr("Lib 1.2"), HasSubstr("(certified) states a wrong depth")));
+  // A series counts once for each oracle; the two symptoms of `one` are of one series.
+  EXPECT_EQ(roots[0].rate.asked, 200U);
+  EXPECT_EQ(roots[0].rate.failed, 15U);
+}
+
+TEST(Roots, TellLibrariesFaultsAndPlacesApart) {
+  const FakeOracle deep = Of("a", "A", DoubleTheDepth);
+  const FakeOracle other = Of("b", "B", DoubleTheDepth);
+  const FakeOracle blind = Of("c", "A", [](const ContactQuery&, ContactAnswer& answer) {
+    answer = {};
+    answer.status = AnswerStatus::kAnswered;
+  });
+  const auto crash = [](const char* how) {
+    return [how](const ContactQuery&, ContactAnswer& answer) {
+      answer = CrashedAnswer(how);
+    };
+  };
+  const FakeOracle here = Of("d", "A", crash("aborted: gjk.h:12: Assertion `a' failed"));
+  const FakeOracle there = Of("e", "A", crash("aborted: epa.h:34: Assertion `b' failed"));
+  std::vector<Specimen> specimens;
+  for (const Oracle* const oracle :
+       std::initializer_list<const Oracle*>{&deep, &other, &blind, &here, &there}) {
+    specimens.push_back(SpecimenOf(kBoxAndBall, *oracle));
+  }
+  const std::vector<Root> roots = RootsOf(std::move(specimens));
+  ASSERT_EQ(roots.size(), 5U);
+  std::set<std::string> folders;
+  for (const Root& root : roots) folders.insert(FolderOf(root));
+  EXPECT_EQ(folders.size(), 5U);
+  EXPECT_THAT(folders,
+              testing::Contains(HasSubstr("aborted_gjk_h_12_assertion_a_failed")));
+  for (const std::string& folder : folders) {
+    EXPECT_LE(folder.size(), 80U);
+    EXPECT_EQ(folder.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"),
+              std::string::npos)
+        << folder;
+  }
+  // Missing answers and misses come before wrong depths.
+  EXPECT_EQ(roots[0].band, Band::kWrong);
+  EXPECT_EQ(roots[2].band, Band::kWrong);
+  EXPECT_LT(roots[4].band, Band::kWrong);
+}
+
+TEST(Roots, OfClosedFormsAreOfTheirShapes) {
+  FakeOracle oracle = Of("lib/one", "Lib", DoubleTheDepth);
+  oracle.ForEachPair([](Capability& capability) { capability.family = "closed_form"; });
+  const Specimen ball = AskAgain(SymptomIn(kBoxAndBall, oracle), oracle);
+  const Specimen box = AskAgain(SymptomIn(kTwoBoxes, oracle), oracle);
+  EXPECT_EQ(Joined({ball, box}).size(), 2U);
+  EXPECT_EQ(Joined({ball, box, ball}).size(), 2U);
+  EXPECT_EQ(Joined({ball, box, ball}).front().symptoms.size(), 2U);
+  EXPECT_EQ(KeyOf(ball).shapes, "box and sphere");
+}
+
+TEST(Roots, LeaveOutWhatIsNotRepeated) {
+  Specimen specimen;
+  EXPECT_TRUE(RootsOf({specimen}).empty());
+}
+
+TEST(RootFiles, HaveACaseThatShowsTheFaultAgain) {
+  const FakeOracle oracle = Of("lib/one", "Lib", DoubleTheDepth);
+  const std::vector<Root> roots = RootsOf({SpecimenOf(kBoxAndBall, oracle)});
+  const ReadResult read = ReadScenario(CaseFile(roots.at(0)), "case.toml");
+  ASSERT_TRUE(read.diagnostics.empty()) << ToString(read.diagnostics.front());
+  const RunReport report = AskAlone(read.scenario.value(), oracle);
+  EXPECT_THAT(report.faults, testing::IsEmpty());  // The indictment is confirmed.
+}
+
+TEST(RootFiles, HaveAReportWithRateNeighbourhoodAndWhatIsKnown) {
+  const FakeOracle oracle = Of("lib/one", "Lib", DoubleTheDepth);
+  const Root root = RootsOf({SpecimenOf(kBoxAndBall, oracle)}).at(0);
+  const RootProgram program = ProgramOf(root);
+  EXPECT_FALSE(program.files);  // Nobody has a program for a library of a test.
+  EXPECT_NE(program.reason, "");
+  EXPECT_THAT(ReportOf(root, program, std::nullopt, {}),
+              AllOf(HasSubstr("# Lib 1.2"), HasSubstr("## Answer and proof"),
+                    HasSubstr("random, box and sphere | 5 of 100, 5 %"),
+                    HasSubstr("Still wrong in 20 of 20 questions"),
+                    HasSubstr("has none of this kind")));
+  EXPECT_THAT(ReportOf(root, program, std::nullopt, {"It doubles depths. (unreported)"}),
+              HasSubstr("- It doubles depths. (unreported)"));
+}
+
+}  // namespace
+}  // namespace touchstone

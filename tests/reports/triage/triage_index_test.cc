@@ -1,0 +1,62 @@
+#include "reports/triage/triage_index.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/reports/fake_oracle.h"
+#include "tests/reports/triage/boxes_and_balls.h"
+
+namespace touchstone {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class TriageIndexTest : public testing::Test {
+ protected:
+  TriageIndexTest() {
+    const Scenario question = BoxAnd(Sphere{0.5}, {1.3, 0.1, 0.2});
+    for (const Oracle* const oracle : {&deep_, &shallow_})
+      specimens_.push_back(SmallestIn(question, *oracle));
+    roots_ = RootsOf(specimens_);
+  }
+
+  const FakeOracle deep_ =
+      FakeOracle::Wrong("deep", [](const ContactQuery&, ContactAnswer& answer) {
+        if (answer.separation) *answer.separation -= 0.2;
+      });
+  const FakeOracle shallow_ = FakeOracle::Wrong(
+      "shallow",
+      [](const ContactQuery&, ContactAnswer& answer) { answer.points.clear(); });
+  std::vector<Specimen> specimens_;
+  std::vector<Root> roots_;
+};
+
+TEST_F(TriageIndexTest, ListsWhatIsNewSinceTheBaselineFirst) {
+  ASSERT_EQ(roots_.size(), 2U);
+  const TriageIndex index{.sweep = "night/sweep.sqlite",
+                          .roots = {{.root = &roots_[0], .folder = "old"},
+                                    {.root = &roots_[1],
+                                     .folder = "fresh",
+                                     .is_new = true,
+                                     .is_fresh = true}},
+                          .unrepeatable = {specimens_[0]},
+                          .left_out = 3,
+                          .has_baseline = true};
+  const std::string page = IndexPage(index);
+  EXPECT_LT(page.find("(fresh/REPORT.md)"), page.find("(old/REPORT.md)"));
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("2 root causes, 1 of them new since the baseline."),
+                    HasSubstr("3 kinds of failure were not examined: the time was over."),
+                    HasSubstr("**new since the baseline**, not in the ledger"),
+                    HasSubstr("## Not repeated")));
+}
+
+TEST_F(TriageIndexTest, KeepsTheKeysOfTheRoots) {
+  const std::string keys = KeysFile(roots_);
+  for (const Root& root : roots_) EXPECT_THAT(keys, HasSubstr(KeyLine(root.key) + "\n"));
+  EXPECT_EQ(std::ranges::count(keys, '\n'), 2);
+}
+
+}  // namespace
+}  // namespace touchstone
