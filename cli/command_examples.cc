@@ -202,8 +202,9 @@ With --baseline, root causes that an earlier triage has are listed last and do n
   touchstone triage night --baseline yesterday/triage
   touchstone triage night --out roots --time 1h --no-programs
 )",
-     "0 no root cause, with --baseline none that is new; 1 root causes; 2 bad input; "
-     "130 after Ctrl-C"},
+     "0 no failure, with --baseline no new root cause; 1 root causes, or kinds of "
+     "failure "
+     "that are not repeated or not examined; 2 bad input; 130 after Ctrl-C"},
     {"merge", R"(
 
 Joins the files of all shards of one sweep. The result is, byte for byte, the file of the sweep

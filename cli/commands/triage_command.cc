@@ -45,7 +45,9 @@ void RequireSameOracles(const SweepFile& file,
   SweepPlan plan;
   plan.subjects = subjects;
   const std::string now = SettingsOf(plan).values.at("subjects");
-  const std::string& then = file.settings().values.at("subjects");
+  const auto subjects_then = file.settings().values.find("subjects");
+  const std::string then =
+      subjects_then == file.settings().values.end() ? "" : subjects_then->second;
   if (now == then) return;
   throw InputError(
       fmt::format("{}: it asked {}, not {}; expected the same versions and settings",
@@ -117,24 +119,41 @@ Examined Examine(const Session& session, const TriageArguments& arguments,
 
 /** Builds and runs the program in `folder`, in a folder of its own that is removed. */
 ProgramOutput OutputOf(const std::filesystem::path& folder) {
-  const std::string quoted = ShellQuoted(folder.string());
-  const CommandResult built = RunInShell(fmt::format(
-      "d=$(mktemp -d) && cmake -S {0} -B \"$d\" >\"$d/log\" 2>&1 && "
+  constexpr int kNotBuilt = 99;
+  const CommandResult result = RunInShell(fmt::format(
+      "d=$(mktemp -d) || exit {1}; cmake -S {0} -B \"$d\" >\"$d/log\" 2>&1 && "
       "cmake --build \"$d\" >>\"$d/log\" 2>&1 || {{ tail -n 5 \"$d/log\"; rm -rf \"$d\"; "
-      "exit 125; }}; timeout 60 \"$d/reproduce\" 2>&1; code=$?; rm -rf \"$d\"; exit "
+      "exit {1}; }}; timeout 90 \"$d/reproduce\" 2>&1; code=$?; rm -rf \"$d\"; exit "
       "$code",
-      quoted));
-  constexpr int kNotBuilt = 125;
-  if (built.code == kNotBuilt) return {"It could not be built:\n" + built.text, false};
-  return {built.text, built.code == 1};
+      ShellQuoted(std::filesystem::absolute(folder).string()), kNotBuilt));
+  switch (result.code) {
+    case 0:
+      return {result.text, ProgramEnding::kShowsNone};
+    case 1:
+      return {result.text, ProgramEnding::kShowsFault};
+    case kNotBuilt:
+      return {result.text, ProgramEnding::kNotBuilt};
+    default:
+      return {result.text, ProgramEnding::kUnfinished};
+  }
 }
 
 /** Returns what the index says of a program. */
-std::string WordsOf(const RootProgram& program,
-                    const std::optional<ProgramOutput>& output) {
+std::string_view WordsOf(const RootProgram& program,
+                         const std::optional<ProgramOutput>& output) {
   if (!program.files) return "none";
   if (!output) return "not run";
-  return output->shows_fault ? "shows it" : "does not show it";
+  switch (output->ending) {
+    case ProgramEnding::kShowsFault:
+      return "shows it";
+    case ProgramEnding::kShowsNone:
+      return "does not show it";
+    case ProgramEnding::kNotBuilt:
+      return "not built";
+    case ProgramEnding::kUnfinished:
+      return "unfinished";
+  }
+  return "";
 }
 
 /** Returns a name that no earlier root has. */
@@ -163,13 +182,12 @@ IndexedRoot WriteRoot(const OutputFolder& out, const std::filesystem::path& path
     write("CMakeLists.txt", program.files->build);
     if (run_programs) output = OutputOf(path / folder);
   }
-  const std::vector<std::string> known =
-      KnownFaultsLike(smallest.finding, smallest.oracle->info(), ledger);
+  const std::vector<std::string> known = KnownFaultsLike(root, ledger);
   write("REPORT.md", ReportOf(root, program, output, known));
   return {.root = &root,
           .folder = std::move(folder),
           .is_new = known.empty(),
-          .program = WordsOf(program, output)};
+          .program = std::string(WordsOf(program, output))};
 }
 
 }  // namespace
@@ -185,6 +203,12 @@ int TriageCommand(const Session& session, const TriageArguments& arguments) try 
   for (const std::string& name : file.settings().subjects)
     subjects.push_back(&OracleNamed(session.registry, name));
   RequireSameOracles(file, subjects);
+  if (std::error_code error; std::filesystem::exists(folder / "index.md", error)) {
+    throw InputError(fmt::format(
+        "{} holds an earlier triage; expected --out with another folder, or that it is "
+        "removed",
+        folder.string()));
+  }
   const OutputFolder out(folder);
 
   const Interrupt interrupt;
@@ -198,6 +222,7 @@ int TriageCommand(const Session& session, const TriageArguments& arguments) try 
   TriageIndex index;
   index.sweep = path.string();
   index.left_out = examined.left_out;
+  index.is_search = std::ranges::any_of(file.settings().series, IsSearch);
   index.has_baseline = arguments.baseline.has_value();
   for (const Specimen& specimen : examined.specimens) {
     if (!specimen.is_repeatable) index.unrepeatable.push_back(specimen);
@@ -220,9 +245,13 @@ int TriageCommand(const Session& session, const TriageArguments& arguments) try 
   out.Write("roots.txt", [&](std::ostream& to) { to << KeysFile(roots); });
   const auto fresh = std::ranges::count_if(index.roots, &IndexedRoot::is_fresh);
   std::cout << SummaryOf(index);
+  if (arguments.run_programs && !run_programs)
+    std::cout << "The programs were not run: cmake is not installed\n";
   std::cout << fmt::format("Wrote {}\n", (folder / "index.md").string());
   if (const int signal = Interrupt::signal()) return 128 + signal;
-  return arguments.baseline ? (fresh > 0 ? 1 : 0) : (roots.empty() ? 0 : 1);
+  // What was not examined may be new.
+  if (index.left_out > 0 || !index.unrepeatable.empty()) return 1;
+  return (arguments.baseline ? fresh > 0 : !roots.empty()) ? 1 : 0;
 } catch (const SweepFileError& error) {
   throw InputError(error.what());
 }

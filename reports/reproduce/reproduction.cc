@@ -70,23 +70,32 @@ std::string Compared(const FaultCheck& check, const Finding& finding) {
 
 /** Finds out whether the engine answers at all. */
 constexpr const char* kAwaited = R"(  // The engine may end the process that asks it.
+  constexpr int kAnswered = 42;
   const pid_t child = fork();
+  if (child < 0) {
+    std::perror("fork");
+    return 2;
+  }
   if (child == 0) {
     const rlimit no_core_file{0, 0};
     setrlimit(RLIMIT_CORE, &no_core_file);
     const rlimit seconds{2, 3};
     setrlimit(RLIMIT_CPU, &seconds);
+    alarm(60);  // It may wait without working.
     Print(Ask());
     std::fflush(stdout);
-    _exit(0);
+    _exit(kAnswered);
   }
   int status = 0;
-  waitpid(child, &status, 0);
-  const bool is_right = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno == EINTR) continue;
+    std::perror("waitpid");
+    return 2;
+  }
+  const bool is_right = WIFEXITED(status) && WEXITSTATUS(status) == kAnswered;
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
-    const bool is_hang = signal == SIGXCPU || signal == SIGKILL;
-    std::printf("no answer%s: %s\n", is_hang ? " after 2 s of CPU time" : "",
+    std::printf("no answer%s: %s\n", signal == SIGXCPU ? " after 2 s of CPU time" : "",
                 strsignal(signal));
   } else if (!is_right) {
     std::printf("no answer: the engine exited\n");
@@ -94,7 +103,8 @@ constexpr const char* kAwaited = R"(  // The engine may end the process that ask
 )";
 
 constexpr const char* kAwaitedIncludes =
-    "#include <csignal>\n#include <cstring>\n\n#include <sys/resource.h>\n"
+    "#include <cerrno>\n#include <csignal>\n#include <cstring>\n\n#include "
+    "<sys/resource.h>\n"
     "#include <sys/wait.h>\n#include <unistd.h>\n\n";
 
 /** The parts of a program that find the fault. */

@@ -115,10 +115,11 @@ class Search {
   }
 
   /** Returns the number of shifts of `question` that show the fault, counted up to
-   `most`; empty for a world, or if the search is stopped. */
+   `most`; empty for a world or a hang, or if the search is stopped. */
   std::optional<std::size_t> ShiftsWithFault(const Question& question, std::size_t most) {
     const auto* const scenario = std::get_if<Scenario>(&question);
-    if (scenario == nullptr) return std::nullopt;
+    // Each shift of a hang would take seconds.
+    if (scenario == nullptr || fault_.verdict == Verdict::kTimedOut) return std::nullopt;
     std::size_t count = 0;
     for (const Scenario& shifted : ShiftsOf(*scenario)) {
       if (count == most) break;

@@ -15,7 +15,9 @@ namespace touchstone {
 
 /** The limits of a search for a smaller question. */
 struct ShrinkOptions {
-  std::size_t tries = 5000;  ///< Limit of the questions that the oracle is asked.
+  /** Limit of the smaller questions that the oracle is asked. The shifts of those that
+   show the fault come in addition. */
+  std::size_t tries = 5000;
   /** Limit of the answers that time out: each takes seconds. */
   std::size_t hangs = std::numeric_limits<std::size_t>::max();
   /** Called before each question with the number of those asked; may be empty. */
@@ -31,8 +33,8 @@ struct Shrunk {
   std::size_t tried = 0;     ///< Candidates that the oracle was asked.
   std::size_t accepted = 0;  ///< Those of them that showed the fault and were kept.
   bool is_smallest = false;  ///< No reduction makes it smaller; else it was cut short.
-  /** Number of ShiftsOf() the question that show the fault, too; empty for a world, or if
-   the search was stopped. */
+  /** Number of ShiftsOf() the question that show the fault, too; empty for a world or a
+   hang, or if the search was stopped. */
   std::optional<std::size_t> shifts;
 };
 

@@ -8,9 +8,14 @@
 namespace touchstone {
 namespace {
 
-FindingKind KindOf(const Finding& finding) {
-  return {finding.measure, finding.verdict, finding.grade,
-          finding.cause,   finding.law,     EndingOf(finding)};
+FindingKind KindOf(const Finding& finding, const JudgedAnswer& answer) {
+  return {.measure = finding.measure,
+          .verdict = finding.verdict,
+          .band = finding.grade,
+          .cause = finding.cause,
+          .law = finding.law,
+          .ending = EndingOf(finding),
+          .touching = answer.touching || answer.undecided};
 }
 
 /** Returns the share of a finding such that it can be ordered. */
@@ -20,7 +25,7 @@ double OrderedShareOf(const Finding& finding, const JudgedAnswer& answer) {
 }
 
 void AddFinding(const Finding& finding, const JudgedAnswer& answer, OracleTally& tally) {
-  ++tally.findings[KindOf(finding)];
+  ++tally.findings[KindOf(finding, answer)];
   // A measure that proves nothing is neither among the values nor among the worst.
   if (finding.verdict == Verdict::kUndecidable ||
       finding.verdict == Verdict::kUnsupported) {
@@ -51,7 +56,7 @@ void CountAnswer(const JudgedAnswer& answer, OracleTally& tally) {
   }
   if (outcome.decisive == nullptr) return;
   const Finding& decisive = *outcome.decisive;
-  FindingKind kind = KindOf(decisive);
+  FindingKind kind = KindOf(decisive, answer);
   kind.verdict = outcome.verdict;
   ++tally.answers[kind];
   if (!IsFailure(outcome.verdict)) return;

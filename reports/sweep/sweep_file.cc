@@ -25,11 +25,13 @@ CREATE TABLE questions(series INTEGER, oracle TEXT, asked INTEGER, touching INTE
   undecided INTEGER, verified INTEGER, verified_touching INTEGER,
   PRIMARY KEY(series, oracle)) WITHOUT ROWID;
 CREATE TABLE answers(series INTEGER, oracle TEXT, measure TEXT, law TEXT, verdict TEXT,
-  band TEXT, cause TEXT, ending TEXT, count INTEGER,
-  PRIMARY KEY(series, oracle, measure, law, verdict, band, cause, ending)) WITHOUT ROWID;
+  band TEXT, cause TEXT, ending TEXT, touching INTEGER, count INTEGER,
+  PRIMARY KEY(series, oracle, measure, law, verdict, band, cause, ending, touching))
+  WITHOUT ROWID;
 CREATE TABLE findings(series INTEGER, oracle TEXT, measure TEXT, law TEXT, verdict TEXT,
-  band TEXT, cause TEXT, ending TEXT, count INTEGER,
-  PRIMARY KEY(series, oracle, measure, law, verdict, band, cause, ending)) WITHOUT ROWID;
+  band TEXT, cause TEXT, ending TEXT, touching INTEGER, count INTEGER,
+  PRIMARY KEY(series, oracle, measure, law, verdict, band, cause, ending, touching))
+  WITHOUT ROWID;
 CREATE TABLE sketches(series INTEGER, oracle TEXT, measure TEXT, law TEXT, bin INTEGER,
   least REAL, count INTEGER,
   PRIMARY KEY(series, oracle, measure, law, bin)) WITHOUT ROWID;
@@ -37,8 +39,8 @@ CREATE TABLE worst(series INTEGER, oracle TEXT, measure TEXT, law TEXT, place IN
   question INTEGER, value REAL, tolerance REAL, tolerances REAL, share REAL, verdict TEXT,
   PRIMARY KEY(series, oracle, measure, law, place)) WITHOUT ROWID;
 CREATE TABLE failures(series INTEGER, oracle TEXT, question INTEGER, measure TEXT,
-  law TEXT, verdict TEXT, band TEXT, cause TEXT, ending TEXT, value REAL, tolerance REAL,
-  share REAL,
+  law TEXT, verdict TEXT, band TEXT, cause TEXT, ending TEXT, touching INTEGER,
+  value REAL, tolerance REAL, share REAL,
   proof TEXT, scenario TEXT, PRIMARY KEY(series, oracle, question)) WITHOUT ROWID;
 )";
 
@@ -49,10 +51,12 @@ constexpr std::array<const char*, 6> kTablesOfSeries = {
 void WriteCounts(const Database& database, const char* table, std::size_t series,
                  const std::string& oracle, const FindingCounts& counts) {
   Statement insert(
-      database, fmt::format("INSERT INTO {} VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)", table));
+      database,
+      fmt::format("INSERT INTO {} VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", table));
   for (const auto& [kind, count] : counts) {
     insert.Run(series, oracle, NameOf(kind.measure), kind.law, NameOf(kind.verdict),
-               NameOf(kind.band), NameOf(kind.cause), kind.ending, count);
+               NameOf(kind.band), NameOf(kind.cause), kind.ending,
+               std::uint64_t{kind.touching}, count);
   }
 }
 
@@ -80,14 +84,16 @@ void WriteOracle(const Database& database, std::size_t series, const std::string
     }
   }
   Statement failures(
-      database, "INSERT INTO failures VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      database,
+      "INSERT INTO failures VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const auto& [kind, of_kind] : tally.failures) {
     for (const FailedQuestion& failure : of_kind) {
       failures.Run(series, oracle, failure.question, NameOf(failure.kind.measure),
                    failure.kind.law, NameOf(failure.kind.verdict),
                    NameOf(failure.kind.band), NameOf(failure.kind.cause),
-                   failure.kind.ending, failure.value, failure.tolerance, failure.share,
-                   failure.proof, failure.scenario);
+                   failure.kind.ending, std::uint64_t{failure.kind.touching},
+                   failure.value, failure.tolerance, failure.share, failure.proof,
+                   failure.scenario);
     }
   }
 }
@@ -112,7 +118,7 @@ Measurand MeasurandAt(const Database& database, const Statement& row, int column
           row.Text(column + 1)};
 }
 
-/** Reads a FindingKind from six columns, from `column` on. */
+/** Reads a FindingKind from seven columns, from `column` on. */
 FindingKind KindAt(const Database& database, const Statement& row, int column) {
   const Measurand of = MeasurandAt(database, row, column);
   return {of.measure,
@@ -120,7 +126,8 @@ FindingKind KindAt(const Database& database, const Statement& row, int column) {
           Known(database, GradeNamed(row.Text(column + 3)), row.Text(column + 3)),
           Known(database, CauseNamed(row.Text(column + 4)), row.Text(column + 4)),
           of.law,
-          row.Text(column + 5)};
+          row.Text(column + 5),
+          row.Integer(column + 6) != 0};
 }
 
 FindingCounts ReadCounts(const Database& database, const char* table, std::size_t series,
@@ -128,11 +135,12 @@ FindingCounts ReadCounts(const Database& database, const char* table, std::size_
   FindingCounts counts;
   Statement row(
       database,
-      fmt::format("SELECT measure, law, verdict, band, cause, ending, count FROM {} "
-                  "WHERE series = ? AND oracle = ?",
-                  table));
+      fmt::format(
+          "SELECT measure, law, verdict, band, cause, ending, touching, count FROM {} "
+          "WHERE series = ? AND oracle = ?",
+          table));
   row.Start(series, oracle);
-  while (row.Next()) counts[KindAt(database, row, 0)] = row.Unsigned(6);
+  while (row.Next()) counts[KindAt(database, row, 0)] = row.Unsigned(7);
   return counts;
 }
 
@@ -173,21 +181,21 @@ OracleTally ReadOracle(const Database& database, std::size_t series,
          .share = worst.Real(6),
          .verdict = Known(database, VerdictNamed(worst.Text(7)), worst.Text(7))});
   }
-  Statement failure(
-      database,
-      "SELECT question, measure, law, verdict, band, cause, ending, value, tolerance, "
-      "share, proof, scenario FROM failures WHERE series = ? AND "
-      "oracle = ? ORDER BY share DESC, question");
+  Statement failure(database,
+                    "SELECT question, measure, law, verdict, band, cause, ending, "
+                    "touching, value, tolerance, "
+                    "share, proof, scenario FROM failures WHERE series = ? AND "
+                    "oracle = ? ORDER BY share DESC, question");
   failure.Start(series, oracle);
   while (failure.Next()) {
     const FindingKind kind = KindAt(database, failure, 1);
     tally.failures[kind].push_back({.question = failure.Unsigned(0),
                                     .kind = kind,
-                                    .value = failure.Real(7),
-                                    .tolerance = failure.Real(8),
-                                    .share = failure.Real(9),
-                                    .proof = failure.Text(10),
-                                    .scenario = failure.Text(11)});
+                                    .value = failure.Real(8),
+                                    .tolerance = failure.Real(9),
+                                    .share = failure.Real(10),
+                                    .proof = failure.Text(11),
+                                    .scenario = failure.Text(12)});
   }
   return tally;
 }

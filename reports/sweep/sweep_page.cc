@@ -60,7 +60,7 @@ struct Opened {
   Database database;
 };
 
-/** Failures of all series, the gravest first. A crash has no share. */
+/** Failures of all series, the gravest first. */
 constexpr const char* kFailures =
     "SELECT oracle, measure, law, verdict, band, cause, value, share, proof, series, "
     "question, scenario, ending FROM failures "

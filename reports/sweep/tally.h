@@ -28,6 +28,9 @@ struct FindingKind {
   Cause cause;
   std::string law = {};     ///< Same as Finding::law.
   std::string ending = {};  ///< EndingOf() the finding.
+  /** Whether the bodies of a contact question touch or may touch; false for worlds. Tells
+   a missed contact from a false one, and a depth from a distance. */
+  bool touching = false;
 
   auto operator<=>(const FindingKind&) const = default;
 };

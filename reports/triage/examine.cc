@@ -7,6 +7,7 @@
 #include "reports/contacts/judge_variant.h"
 #include "reports/finding/decisive.h"
 #include "reports/finding/ending.h"
+#include "reports/shrink/same_fault.h"
 #include "reports/shrink/shrink.h"
 #include "scenarios/scenario_file.h"
 
@@ -91,13 +92,18 @@ Specimen AskAgain(const Symptom& symptom, const Oracle& oracle) {
   Specimen specimen;
   specimen.symptoms = {symptom};
   specimen.oracle = &oracle;
-  specimen.original = QuestionIn(symptom.gravest.scenario);
-  std::optional<Found> fault = FaultOf(symptom, specimen.original, oracle);
-  if (!fault) return specimen;
-  specimen.is_repeatable = true;
-  specimen.question = std::move(fault->question);
-  specimen.report = std::move(fault->report);
-  specimen.finding = std::move(fault->finding);
+  for (const FailedQuestion& kept : symptom.kept) {
+    Question question = QuestionIn(kept.scenario);
+    std::optional<Found> fault = FaultOf(symptom, question, oracle);
+    if (!fault) continue;
+    specimen.is_repeatable = true;
+    specimen.original = std::move(question);
+    specimen.question = std::move(fault->question);
+    specimen.report = std::move(fault->report);
+    specimen.finding = std::move(fault->finding);
+    return specimen;
+  }
+  specimen.original = QuestionIn(symptom.kept.front().scenario);
   return specimen;
 }
 
@@ -106,12 +112,15 @@ Specimen Smallest(Specimen specimen, const SmallestOptions& options) {
   Shrunk shrunk = Shrink(specimen.question, oracle, specimen.finding,
                          {.tries = options.tries, .hangs = kHangs, .stop = options.stop});
   RunReport report = AskAlone(shrunk.question, oracle);
-  std::optional<Finding> finding = FaultIn(report);
   // An engine that answers by chance may be right the last time.
-  if (!finding) return specimen;
+  if (!std::ranges::any_of(report.findings, [&](const Finding& finding) {
+        return IsSameFault(finding, shrunk.finding);
+      })) {
+    return specimen;
+  }
   specimen.question = std::move(shrunk.question);
   specimen.report = std::move(report);
-  specimen.finding = std::move(*finding);
+  specimen.finding = std::move(shrunk.finding);
   specimen.shifts = shrunk.shifts;
   return specimen;
 }

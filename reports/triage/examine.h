@@ -16,19 +16,22 @@ namespace touchstone {
 struct Specimen {
   std::vector<Symptom> symptoms;  ///< Those it stands for, the gravest first.
   const Oracle* oracle = nullptr;
-  Question original;  ///< The gravest question of the first symptom.
+  /** The gravest question of the first symptom that shows it again; if none does, the
+   gravest. */
+  Question original;
   /** Whether the oracle failed `original` again. If not, nothing below is set. */
   bool is_repeatable = false;
   Question question;
   RunReport report;  ///< That of AskAlone(question, *oracle).
-  /** The decisive one of the answer in `report` or, if that is right, of a variant. */
+  /** The fault: at first the decisive one of the answer or, if that is right, of a
+   variant; of the smallest question the same fault. One of `report`. */
   Finding finding;
   std::optional<std::size_t> shifts;  ///< Same as Shrunk::shifts.
 };
 
-/** Asks the gravest question of a symptom again. Where the answer to it is right and only
- a variant is answered wrongly, the variant becomes the question, if the oracle is wrong
- about it alone. */
+/** Asks the kept questions of a symptom again, until one shows it. Where the answer to it
+ is right and only a variant is answered wrongly, the variant becomes the question, if the
+ oracle is wrong about it alone. */
 Specimen AskAgain(const Symptom& symptom, const Oracle& oracle);
 
 /** The limits of a search for the smallest question. */

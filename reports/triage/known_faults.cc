@@ -2,24 +2,30 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include <fmt/format.h>
 
 namespace touchstone {
 
-std::vector<std::string> KnownFaultsLike(const Finding& finding, const OracleInfo& oracle,
-                                         const Ledger& ledger) {
-  const auto has = [](const auto& all, const auto& one) {
-    return std::ranges::find(all, one) != all.end();
-  };
+std::vector<std::string> KnownFaultsLike(const Root& root, const Ledger& ledger) {
+  std::set<std::tuple<std::string, Verdict, MeasureKind>> kinds;
+  for (const Specimen& specimen : root.specimens) {
+    const Finding& finding = specimen.finding;
+    kinds.emplace(finding.oracle, finding.verdict, finding.measure);
+    for (const Symptom& symptom : specimen.symptoms)
+      kinds.emplace(symptom.key.oracle, symptom.key.verdict, symptom.key.measure);
+  }
+  const std::string& version = root.smallest().oracle->info().version;
   std::set<std::string> faults;
   for (const LedgerEntry& entry : ledger.entries) {
-    if (entry.oracle != oracle.name || entry.version != oracle.version ||
-        entry.verdict != finding.verdict || !has(entry.measures, finding.measure) ||
-        (finding.cause != Cause::kNone && !has(entry.causes, finding.cause))) {
-      continue;
+    // Oracles of one library have one version.
+    if (entry.version != version) continue;
+    if (std::ranges::any_of(entry.measures, [&](MeasureKind measure) {
+          return kinds.contains({entry.oracle, entry.verdict, measure});
+        })) {
+      faults.insert(fmt::format("{} ({})", FaultOf(entry), entry.upstream));
     }
-    faults.insert(fmt::format("{} ({})", FaultOf(entry), entry.upstream));
   }
   return {faults.begin(), faults.end()};
 }

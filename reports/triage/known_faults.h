@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "oracles/oracle.h"
 #include "reports/finding/ledger.h"
+#include "reports/triage/root.h"
 
 namespace touchstone {
 
-/** Returns the faults that `ledger` knows of this version of the oracle, with the
- verdict, the measure and a cause of `finding`, each as a sentence with its upstream link.
- The finding may be one of them, or another fault that looks alike. Empty: it is new. */
-std::vector<std::string> KnownFaultsLike(const Finding& finding, const OracleInfo& oracle,
-                                         const Ledger& ledger);
+/** Returns the faults that `ledger` knows of the oracles of a root, in their versions,
+ with the verdict and the measure of one of its symptoms or of its smallest question, each
+ as a sentence with its upstream link. The root may be one of them, or another fault that
+ looks alike. Empty: it is new. */
+std::vector<std::string> KnownFaultsLike(const Root& root, const Ledger& ledger);
 
 }  // namespace touchstone

@@ -85,7 +85,7 @@ std::string AlgorithmOf(const Specimen& specimen) {
 
 Band BandOf(const Specimen& specimen) {
   // The gravest symptom is the first.
-  const FindingKind& kind = specimen.symptoms.front().gravest.kind;
+  const FindingKind& kind = specimen.symptoms.front().kept.front().kind;
   return kind.ending.empty() ? static_cast<Band>(kind.band) : Band::kWrong;
 }
 

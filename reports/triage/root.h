@@ -40,7 +40,8 @@ struct Root {
   std::vector<Specimen> specimens;  ///< The one of the smallest question first.
   /** How often it was found, by oracle and by Symptom::rates. */
   std::map<std::pair<std::string, std::string>, Rate> rates;
-  Rate rate;                ///< Sum of `rates`.
+  Rate rate;  ///< Sum of `rates`: answers, since several oracles may be asked one
+              ///< question.
   Band band = Band::kNone;  ///< The gravest that the sweep has found.
   /** What it does to users: the number of its band, plus half of the decimal logarithm of
    its rate, so that one band weighs as much as a hundred times the frequency. [-] */

@@ -45,6 +45,20 @@ std::string QuestionPart(const Root& root, const RootProgram& program) {
       smallest.oracle->info().name, smallest.oracle->info().name);
 }
 
+std::string_view Introduction(ProgramEnding ending) {
+  switch (ending) {
+    case ProgramEnding::kShowsFault:
+      return "";
+    case ProgramEnding::kShowsNone:
+      return "The program does not show the fault on this machine. It printed:\n\n";
+    case ProgramEnding::kNotBuilt:
+      return "The program could not be built on this machine:\n\n";
+    case ProgramEnding::kUnfinished:
+      return "The program did not come to its end on this machine. It printed:\n\n";
+  }
+  return "";
+}
+
 std::string OutputPart(const RootProgram& program,
                        const std::optional<ProgramOutput>& output) {
   if (!program.files) return "";
@@ -59,11 +73,7 @@ std::string OutputPart(const RootProgram& program,
     block += line.empty() ? "\n" : "    " + line + "\n";
     line.clear();
   }
-  return fmt::format("## Output\n\n{}{}\n",
-                     output->shows_fault
-                         ? ""
-                         : "The program does not show the fault here. It printed:\n\n",
-                     block);
+  return fmt::format("## Output\n\n{}{}\n", Introduction(output->ending), block);
 }
 
 std::string RatePart(const Root& root) {
@@ -79,25 +89,29 @@ std::string RatePart(const Root& root) {
   if (rows.size() > kRows)
     table += fmt::format("| … | {} more | |\n", rows.size() - kRows);
   return fmt::format(
-      "## How common\n\n{} generated questions of the families below, with the interval "
-      "of 95 %.\n\n{}\n",
-      ToString(root.rate), table);
+      "## How common\n\n{} of {} answers, {:.3g} %, to generated questions of the "
+      "families "
+      "below. Intervals are those of 95 %.\n\n{}\n",
+      root.rate.failed, root.rate.asked, 100 * ShareOf(root.rate), table);
 }
 
 std::string NeighbourhoodPart(const Root& root) {
   const std::optional<std::size_t> shifts = root.smallest().shifts;
   if (!shifts) return "";
   return fmt::format(
-      "## Neighbourhood\n\nStill wrong in {} of {} questions in which B is moved and "
-      "turned by 1 % of the smallest radius or half side.\n\n",
+      "## Neighbourhood\n\nThe same fault, by the same measure and proof and at least "
+      "half "
+      "as large, is in {} of {} questions in which B is moved and turned by 1 % of the "
+      "smallest radius or half side.\n\n",
       *shifts, kShifts);
 }
 
 std::string KnownPart(const std::vector<std::string>& known) {
-  if (known.empty())
-    return "## Known\n\nThe ledger of known faults has none of this kind.\n";
+  if (known.empty()) return "## Known\n\nThe ledger of known faults has none like it.\n";
   return fmt::format(
-      "## Known\n\nThe ledger has faults of this kind; it may be one of them:\n\n- {}\n",
+      "## Known\n\nThe ledger has faults of these oracles with these measures and "
+      "verdicts; "
+      "it may be one of them:\n\n- {}\n",
       fmt::join(known, "\n- "));
 }
 

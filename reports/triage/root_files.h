@@ -22,16 +22,24 @@ struct RootProgram {
 /** Returns the program for the smallest question of a root. */
 RootProgram ProgramOf(const Root& root);
 
+/** How the building and running of a program ended. */
+enum class ProgramEnding {
+  kShowsFault,  ///< Exit code 1.
+  kShowsNone,   ///< Exit code 0.
+  kNotBuilt,
+  kUnfinished,  ///< Killed, or out of time.
+};
+
 /** What a program printed when it was run. */
 struct ProgramOutput {
   std::string text;
-  bool shows_fault = false;  ///< Whether it was built and ended with exit code 1.
+  ProgramEnding ending = ProgramEnding::kNotBuilt;
 };
 
 /** Returns REPORT.md, a text for the tracker of the library: what was asked, the answer
  with its proof, the output of the program, how common it is, and whether it is known.
  @param output Empty if the program was not run.
- @param known KnownFaultsLike() its finding. */
+ @param known KnownFaultsLike() it. */
 std::string ReportOf(const Root& root, const RootProgram& program,
                      const std::optional<ProgramOutput>& output,
                      const std::vector<std::string>& known);

@@ -19,19 +19,22 @@ struct Symptom {
     std::string of;  ///< "box, sphere" or a family of worlds.
     MeasureKind measure;
     Verdict verdict;
-    std::string law;     ///< Same as Finding::law.
-    std::string ending;  ///< EndingOf() the finding.
+    std::string law;        ///< Same as Finding::law.
+    std::string ending;     ///< EndingOf() the finding.
+    bool touching = false;  ///< Same as FindingKind::touching.
 
     auto operator<=>(const Key&) const = default;
   };
   Key key;
-  FailedQuestion gravest;  ///< The gravest of those that the sweep has kept.
+  /** The four gravest of those that the sweep has kept, the gravest first. */
+  std::vector<FailedQuestion> kept;
   /** How often it was found, by what was asked: "random, sphere and box". */
   std::map<std::string, Rate> rates;
 };
 
 /** Returns the symptoms of a sweep, the gravest first: missing answers, then by band and
- by share. Throws SweepFileError. */
+ by share. Answers that merely differ from those of other oracles are left out: alone they
+ are no fault. Throws SweepFileError, also if a kept question cannot be read. */
 std::vector<Symptom> SymptomsOf(const SweepFile& file);
 
 }  // namespace touchstone

@@ -10,10 +10,21 @@
 namespace touchstone {
 namespace {
 
+/** Returns text for a cell of a table and for a link in Markdown. */
+std::string Escaped(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '|' || c == '[' || c == ']' || c == '*' || c == '`' || c == '\\')
+      escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
 std::string RowOf(std::size_t number, const IndexedRoot& entry) {
   const Root& root = *entry.root;
   return fmt::format("| {} | [{}]({}/REPORT.md) | {} | {:.3g} % | {} | {}{} | {} |\n",
-                     number, TitleOf(root), entry.folder, NameOf(root.band),
+                     number, Escaped(TitleOf(root)), entry.folder, NameOf(root.band),
                      100 * ShareOf(root.rate), fmt::join(OraclesOf(root), ", "),
                      entry.is_fresh ? "**new since the baseline**, " : "",
                      entry.is_new ? "not in the ledger" : "maybe known", entry.program);
@@ -29,8 +40,8 @@ std::string UnrepeatablePart(const TriageIndex& index) {
                     NameOf(symptom.key.measure), symptom.key.of, IdOf(specimen.original));
   }
   return fmt::format(
-      "## Not repeated\n\n{} failed in the sweep and not when asked again: the answer "
-      "depends on more than the question.\n\n{}\n",
+      "## Not repeated\n\n{} failed in the sweep, and none of its four gravest questions "
+      "when asked again: the answer depends on more than the question.\n\n{}\n",
       Counted(index.unrepeatable.size(), "kind of failure", "kinds of failure"), list);
 }
 
@@ -44,14 +55,23 @@ std::vector<IndexedRoot> FreshFirst(const TriageIndex& index) {
 
 /** Returns how many roots there are, and what there was no time for, as sentences. */
 std::string CountOf(const TriageIndex& index) {
-  const auto fresh = std::ranges::count_if(index.roots, &IndexedRoot::is_fresh);
-  return fmt::format(
-      "{}{}.{}", Counted(index.roots.size(), "root cause"),
-      index.has_baseline ? fmt::format(", {} of them new since the baseline", fresh) : "",
-      index.left_out > 0 ? fmt::format(" {} not examined: the time was over.",
-                                       Counted(index.left_out, "kind of failure was",
-                                               "kinds of failure were"))
-                         : "");
+  std::string text = Counted(index.roots.size(), "root cause");
+  if (index.has_baseline) {
+    text += fmt::format(", {} of them new since the baseline",
+                        std::ranges::count_if(index.roots, &IndexedRoot::is_fresh));
+  }
+  text += '.';
+  if (index.left_out > 0) {
+    text += fmt::format(
+        " {} not examined: the time was over.",
+        Counted(index.left_out, "kind of failure was", "kinds of failure were"));
+  }
+  if (index.is_search) {
+    text +=
+        " The rates say nothing: the questions of a worst-case search depend on the "
+        "answers.";
+  }
+  return text;
 }
 
 }  // namespace
@@ -73,7 +93,7 @@ std::string IndexPage(const TriageIndex& index) {
   return fmt::format(
       "# Root causes of {}\n\n{} The worst come first: one band weighs as much as a "
       "hundred times the frequency.\n\n"
-      "| | root cause | gravest | of its questions | oracles | known | program |\n"
+      "| | root cause | gravest | of the answers | oracles | known | program |\n"
       "|---|---|---|---|---|---|---|\n{}\n"
       "Each folder has `case.toml`, the smallest question that shows it; "
       "`original.toml`, "
@@ -92,6 +112,7 @@ std::string KeyLine(const RootKey& key) {
 
 std::string KeysFile(const std::vector<Root>& roots) {
   std::vector<std::string> lines;
+  lines.reserve(roots.size());
   for (const Root& root : roots) lines.push_back(KeyLine(root.key) + "\n");
   std::ranges::sort(lines);
   return fmt::format("{}", fmt::join(lines, ""));

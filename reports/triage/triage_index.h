@@ -22,6 +22,7 @@ struct TriageIndex {
   std::vector<IndexedRoot> roots;
   std::vector<Specimen> unrepeatable;
   std::size_t left_out = 0;   ///< Symptoms that were not examined.
+  bool is_search = false;     ///< Whether questions depend on the answers (--climb).
   bool has_baseline = false;  ///< Whether is_fresh means anything.
 };
 

@@ -739,6 +739,9 @@ TEST_F(CommandLineTest, FindsTheRootCausesOfASweep) {
   EXPECT_THAT(again.out, HasSubstr("2 root causes, 0 of them new since the baseline."));
   EXPECT_EQ(TextOf(Path("again/roots.txt")), TextOf(Path("night/triage/roots.txt")));
 
+  const Ended over = Touchstone("triage --no-programs " + Path("night"));
+  EXPECT_EQ(over.code, 2);
+  EXPECT_THAT(over.err, HasSubstr("holds an earlier triage; expected"));
   const Ended none = Touchstone("triage " + Path("nothing"));
   EXPECT_EQ(none.code, 2);
   EXPECT_THAT(none.err, HasSubstr("nothing"));

@@ -24,6 +24,7 @@ TEST(KindOfProof, KeepsLinesOfTheSource) {
   EXPECT_EQ(KindOfProof("aborted: gjk.h:1234: Assertion `x > 0.5' failed"),
             "aborted: gjk.h:1234: Assertion `x > #' failed");
   EXPECT_NE(KindOfProof("aborted: gjk.h:12: x"), KindOfProof("aborted: gjk.h:13: x"));
+  EXPECT_EQ(KindOfProof("separation:12.5"), KindOfProof("separation:13.25"));
 }
 
 TEST(EndingOf, IsEmptyForAnAnswer) {

@@ -36,13 +36,14 @@ Symptom SymptomIn(const Scenario& scenario, const Oracle& oracle) {
   key.measure = finding.measure;
   key.verdict = finding.verdict;
   key.ending = ending;
-  FindingKind& kind = symptom.gravest.kind;
+  FailedQuestion& failure = symptom.kept.emplace_back();
+  FindingKind& kind = failure.kind;
   kind.measure = finding.measure;
   kind.verdict = finding.verdict;
   kind.band = finding.grade;
   kind.cause = finding.cause;
   kind.ending = ending;
-  symptom.gravest.scenario = TextOf(scenario);
+  failure.scenario = TextOf(scenario);
   symptom.rates.emplace("random, box and sphere", Rate{5, 100});
   return symptom;
 }

@@ -1,5 +1,6 @@
 #include "reports/triage/root.h"
 
+#include <functional>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -7,6 +8,7 @@
 
 #include "oracles/no_answer.h"
 #include "reports/shrink/shrink.h"
+#include "reports/triage/known_faults.h"
 #include "reports/triage/root_files.h"
 #include "scenarios/scenario_file.h"
 #include "tests/reports/fake_oracle.h"
@@ -125,13 +127,55 @@ TEST(RootFiles, HaveAReportWithRateNeighbourhoodAndWhatIsKnown) {
   const RootProgram program = ProgramOf(root);
   EXPECT_FALSE(program.files);  // Nobody has a program for a library of a test.
   EXPECT_NE(program.reason, "");
-  EXPECT_THAT(ReportOf(root, program, std::nullopt, {}),
-              AllOf(HasSubstr("# Lib 1.2"), HasSubstr("## Answer and proof"),
-                    HasSubstr("random, box and sphere | 5 of 100, 5 %"),
-                    HasSubstr("Still wrong in 20 of 20 questions"),
-                    HasSubstr("has none of this kind")));
+  EXPECT_THAT(
+      ReportOf(root, program, std::nullopt, {}),
+      AllOf(HasSubstr("# Lib 1.2"), HasSubstr("## Answer and proof"),
+            HasSubstr("random, box and sphere | 5 of 100, 5 %"),
+            HasSubstr("is in 20 of 20 questions"), HasSubstr("has none like it")));
   EXPECT_THAT(ReportOf(root, program, std::nullopt, {"It doubles depths. (unreported)"}),
               HasSubstr("- It doubles depths. (unreported)"));
+}
+
+TEST(RootFiles, SayHowTheProgramEnded) {
+  const FakeOracle oracle = Of("lib/one", "Lib", DoubleTheDepth);
+  const Root root = RootsOf({SpecimenOf(kBoxAndBall, oracle)}).at(0);
+  const RootProgram program{.files = Reproduction{.program = "int main() {}",
+                                                  .build = "project(x)",
+                                                  .report = "# Title\n\n## Asked\n\n## "
+                                                            "Output\n\nPaste it."},
+                            .reason = ""};
+  const auto report = [&](ProgramEnding ending) {
+    return ReportOf(root, program, ProgramOutput{"one\ntwo", ending}, {});
+  };
+  EXPECT_THAT(report(ProgramEnding::kShowsFault),
+              AllOf(HasSubstr("## Output\n\n    one\n    two\n"),
+                    testing::Not(HasSubstr("Paste it"))));
+  EXPECT_THAT(report(ProgramEnding::kShowsNone), HasSubstr("does not show the fault"));
+  EXPECT_THAT(report(ProgramEnding::kNotBuilt), HasSubstr("could not be built"));
+  EXPECT_THAT(report(ProgramEnding::kUnfinished), HasSubstr("did not come to its end"));
+}
+
+TEST(KnownFaults, AreThoseOfTheOraclesVerdictsAndMeasuresOfARoot) {
+  const FakeOracle oracle = Of("lib/one", "Lib", DoubleTheDepth);
+  const Root root = RootsOf({SpecimenOf(kBoxAndBall, oracle)}).at(0);
+  Ledger ledger;
+  LedgerEntry& entry = ledger.entries.emplace_back();
+  entry.oracle = "lib/one";
+  entry.version = "1.2";
+  entry.measures = {MeasureKind::kExcess, root.smallest().finding.measure};
+  entry.fault = "It doubles depths.";
+  entry.upstream = "owner/repo#1";
+  EXPECT_THAT(KnownFaultsLike(root, ledger),
+              ElementsAre("It doubles depths. (owner/repo#1)"));
+  for (const auto& change : std::initializer_list<std::function<void(LedgerEntry&)>>{
+           [](LedgerEntry& e) { e.version = "1.3"; },
+           [](LedgerEntry& e) { e.oracle = "lib/two"; },
+           [](LedgerEntry& e) { e.measures = {MeasureKind::kExcess}; },
+           [](LedgerEntry& e) { e.verdict = Verdict::kCrashed; }}) {
+    Ledger other = ledger;
+    change(other.entries.front());
+    EXPECT_TRUE(KnownFaultsLike(root, other).empty());
+  }
 }
 
 }  // namespace

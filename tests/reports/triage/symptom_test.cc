@@ -36,7 +36,7 @@ TEST(Symptoms, JoinFamiliesAndBothOrdersOfAPair) {
   for (const Symptom& symptom : symptoms) {
     EXPECT_EQ(symptom.key.oracle, "deep");
     EXPECT_EQ(symptom.key.of, "box, sphere");
-    EXPECT_FALSE(symptom.gravest.scenario.empty());
+    EXPECT_FALSE(symptom.kept.empty());
     for (const auto& [asked, rate] : symptom.rates) {
       EXPECT_EQ(rate.asked, 40U);
       EXPECT_LE(rate.failed, 40U);
@@ -64,6 +64,21 @@ TEST(Symptoms, TellCrashesApartAndPutThemFirst) {
   EXPECT_NE(symptoms[1].key.ending, "");
   EXPECT_NE(symptoms[0].key.ending, symptoms[1].key.ending);
   EXPECT_EQ(symptoms.back().key.ending, "");
+}
+
+TEST(Symptoms, TellAMissedContactFromAFalseOne) {
+  const FakeOracle blind =
+      FakeOracle::Wrong("blind", [](const ContactQuery&, ContactAnswer& answer) {
+        answer.touching = !answer.touching;
+      });
+  int missed = 0;
+  int invented = 0;
+  for (const Symptom& symptom : SymptomsOfASweep({&blind})) {
+    if (symptom.key.measure != MeasureKind::kTouching) continue;
+    (symptom.key.touching ? missed : invented) += 1;
+  }
+  EXPECT_EQ(missed, 1);
+  EXPECT_EQ(invented, 1);
 }
 
 TEST(Symptoms, OfRightAnswersAreNone) {

@@ -52,6 +52,20 @@ TEST_F(TriageIndexTest, ListsWhatIsNewSinceTheBaselineFirst) {
                     HasSubstr("## Not repeated")));
 }
 
+TEST_F(TriageIndexTest, SaysThatRatesOfASearchSayNothing) {
+  TriageIndex index;
+  EXPECT_THAT(IndexPage(index), testing::Not(HasSubstr("worst-case search")));
+  index.is_search = true;
+  EXPECT_THAT(IndexPage(index), HasSubstr("The rates say nothing"));
+}
+
+TEST_F(TriageIndexTest, EscapesWhatMarkdownWouldRead) {
+  roots_[0].key.place = "a || b[i]";
+  TriageIndex index;
+  index.roots = {{.root = &roots_[0], .folder = "old"}};
+  EXPECT_THAT(IndexPage(index), HasSubstr("a \\|\\| b\\[i\\]"));
+}
+
 TEST_F(TriageIndexTest, KeepsTheKeysOfTheRoots) {
   const std::string keys = KeysFile(roots_);
   for (const Root& root : roots_) EXPECT_THAT(keys, HasSubstr(KeyLine(root.key) + "\n"));
