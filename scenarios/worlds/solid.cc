@@ -104,6 +104,8 @@ std::optional<Solid> UniformSolid(const Shape& shape, double mass) {
 std::optional<Vector3d> UniformMoments(const Shape& shape, double mass) {
   const std::optional<Solid> solid = UniformSolid(shape, mass);
   if (!solid) return std::nullopt;
+  // Compared by itself: the largest of several numbers need not be a NaN among them.
+  if (!solid->inertia_B.allFinite()) return std::nullopt;
   const Vector3d moments = solid->inertia_B.diagonal();
   const Matrix3d moments_only = moments.asDiagonal();
   const double product = (solid->inertia_B - moments_only).cwiseAbs().maxCoeff();

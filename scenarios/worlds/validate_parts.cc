@@ -57,13 +57,17 @@ class Check {
 };
 
 /** Checks that the moments of a moving body follow from its shape. */
-void CheckSolid(const Shape& shape, Check& check) {
-  // Faults of its sizes are reported elsewhere.
-  if (!FaultsOf(Body{shape, {}}).empty() || UniformMoments(shape, 1)) return;
+void CheckSolid(const Shape& shape, double mass, Check& check) {
+  // Faults of its sizes and of its mass are reported elsewhere.
+  if (!FaultsOf(Body{shape, {}}).empty() || !(mass > 0) || std::isinf(mass)) return;
+  if (UniformMoments(shape, mass)) return;
   const std::string kind = fmt::format("is \"{}\"", NameOf(KindOf(shape)));
-  const std::optional<Solid> solid = UniformSolid(shape, 1);
+  const std::optional<Solid> solid = UniformSolid(shape, mass);
   if (!solid) {
     check.Add("shape", kind + " without volume", "a stated inertia");
+  } else if (!solid->inertia_B.allFinite()) {
+    check.Add("shape", kind + " whose moments of inertia are beyond the range of doubles",
+              "smaller sizes or a smaller mass");
   } else if (const Eigen::Vector3d& c = solid->centre_B;
              c.norm() > kAligned * BoundingRadius(shape)) {
     check.Add(
@@ -84,7 +88,7 @@ void CheckInertia(const RigidBody& body, Check& check) {
   if (kind == ShapeKind::kHalfSpace) {
     if (body.mass != 0) check.Add("shape", "is \"half_space\", which moves", "mass = 0");
   } else if (!body.inertia && body.mass != 0) {
-    CheckSolid(body.placed.shape, check);
+    CheckSolid(body.placed.shape, body.mass, check);
   }
   if (!body.inertia) return;
   const Eigen::Vector3d& moments = *body.inertia;

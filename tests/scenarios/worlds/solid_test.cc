@@ -129,8 +129,11 @@ TEST(UniformMoments, ExistAboutTheOriginAndAlongTheAxesOnly) {
 
 TEST(UniformMoments, DoNotExistBeyondTheRangeOfDoubles) {
   EXPECT_FALSE(UniformMoments(Box{{1e160, 1e160, 1e160}}, 1));
-  EXPECT_FALSE(UniformMoments(
-      CornersOf({1e160, 1e160, 1e160}, Matrix3d::Identity(), {0, 0, 0}), 1));
+  EXPECT_FALSE(UniformMoments(Box{{1e160, 1, 1}}, 1));
+  EXPECT_FALSE(UniformMoments(Sphere{1e160}, 1));
+  EXPECT_FALSE(UniformMoments(Cylinder{1e160, 1}, 1));
+  EXPECT_TRUE(UniformMoments(Box{{1e152, 1e152, 1e152}}, 1));
+  EXPECT_FALSE(UniformMoments(Box{{1e152, 1e152, 1e152}}, 1e6));
 }
 
 TEST(InertiaOf, OfASphereAndABoxAreTheirClosedForms) {
