@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Largest sine of the angle between a face and the plane it lies on; quaternions have 16
- digits. */
-constexpr double kFlat = 1e-9;
+/** Largest sine of the angle between a face and the plane it lies on: that of a pose in
+ single precision, or with eight digits. */
+constexpr double kFlat = 3e-7;
 
 /** A plane that never moves. */
 struct Plane {

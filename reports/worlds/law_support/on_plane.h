@@ -44,8 +44,8 @@ OnPlane OnPlaneOf(const World& world, int index);
 /** The same with the slop of the engine that is judged. */
 OnPlane OnPlaneOf(const Motion& motion, int index);
 
-/** Returns the reason why body `index` does not start on a static plane, to within a
- thousandth of its size, as LiesFlat() says; empty if it does. */
+/** Returns the reason why body `index` does not start on a static plane: it does not lie
+ flat, see LiesFlat(), or not within a thousandth of its size. Empty if it does. */
 std::string WhyNotOnPlane(const World& world, int index);
 
 }  // namespace touchstone

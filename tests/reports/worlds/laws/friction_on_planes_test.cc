@@ -586,8 +586,27 @@ TEST(SpinsOnPlane, ABodyThatLeansByItsSlopKeepsItsAngularMomentum) {
     return Judge(world, Leaning(world, angle, spin), ClaimOf("spins_on_plane"), info);
   };
   EXPECT_TRUE(Passes(judged(share)));
-  EXPECT_TRUE(Finds(judged(1), MeasureKind::kSpinError));
+  // So does an engine without a gyroscopic term, which keeps the spin.
+  EXPECT_TRUE(Passes(judged(1)));
+  EXPECT_TRUE(Finds(judged(1.05), MeasureKind::kSpinError));
   EXPECT_TRUE(Finds(judged(share * share), MeasureKind::kSpinError));
+}
+
+// The lean moves the rim out by 3 m · 0.02 m / 0.5 m, a quarter of its radius.
+TEST(SpinsOnPlane, GrantsTheReachOfABodyThatLeansByItsSlop) {
+  World world = SpinningPuck();
+  world.bodies[0].placed.shape = Cylinder{0.5, 3};
+  world.bodies[0].placed.X_WB.p_WB.y() = 3;
+  const auto judged = [&](double brake, double slop) {
+    OracleInfo info = DoubleEngine();
+    info.slop = slop;
+    info.slop_documented_by = "section 4";
+    return Judge(world, Braked(world, brake), ClaimOf("spins_on_plane"), info);
+  };
+  EXPECT_TRUE(Passes(judged(27.7, 0)));
+  EXPECT_TRUE(Finds(judged(34, 0), MeasureKind::kSpinError));
+  EXPECT_TRUE(Passes(judged(34, 0.02)));
+  EXPECT_TRUE(Finds(judged(45, 0.02), MeasureKind::kSpinError));
 }
 
 TEST(SpinsOnPlane, AllowsEveryTorqueUpToThatOfTheRim) {
