@@ -28,12 +28,13 @@ bool IsOfAVariant(MeasureKind measure) {
   return measure >= MeasureKind::kSwap && measure <= MeasureKind::kPerturbation;
 }
 
-/** Returns whether `report` has a finding of the symptom. */
-bool Shows(const RunReport& report, const Symptom::Key& key) {
-  return std::ranges::any_of(report.findings, [&](const Finding& finding) {
+/** Returns the finding of the symptom, if `report` has one. */
+const Finding* SymptomIn(const RunReport& report, const Symptom::Key& key) {
+  const auto found = std::ranges::find_if(report.findings, [&](const Finding& finding) {
     return finding.measure == key.measure && finding.verdict == key.verdict &&
            finding.law == key.law && EndingOf(finding) == key.ending;
   });
+  return found == report.findings.end() ? nullptr : &*found;
 }
 
 /** Returns the decisive fault of a report of one answer: of the answer itself or, if that
@@ -77,13 +78,17 @@ std::optional<Found> WrongVariant(const Scenario& scenario, MeasureKind measure,
 std::optional<Found> FaultOf(const Symptom& symptom, const Question& original,
                              const Oracle& oracle) {
   RunReport report = AskAlone(original, oracle);
-  if (!Shows(report, symptom.key)) return std::nullopt;
-  std::optional<Finding> fault = FaultIn(report);
-  if (const auto* const scenario = std::get_if<Scenario>(&original);
-      scenario != nullptr && IsOfAVariant(fault.value().measure)) {
-    if (auto found = WrongVariant(*scenario, fault->measure, oracle)) return found;
+  const Finding* const again = SymptomIn(report, symptom.key);
+  if (again == nullptr) return std::nullopt;
+  Finding fault = *again;
+  if (IsOfAVariant(fault.measure)) {
+    if (auto found =
+            WrongVariant(std::get<Scenario>(original), symptom.key.measure, oracle)) {
+      return found;
+    }
+    fault = FaultIn(report).value();
   }
-  return Found{original, std::move(report), std::move(*fault)};
+  return Found{original, std::move(report), std::move(fault)};
 }
 
 }  // namespace

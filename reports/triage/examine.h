@@ -29,9 +29,9 @@ struct Specimen {
   std::optional<std::size_t> shifts;  ///< Same as Shrunk::shifts.
 };
 
-/** Asks the kept questions of a symptom again, until one shows it. Where the answer to it
- is right and only a variant is answered wrongly, the variant becomes the question, if the
- oracle is wrong about it alone. */
+/** Asks the kept questions of a symptom again, until one shows it. Where a variant of the
+ question is answered wrongly, the variant becomes the question, if the oracle is wrong
+ about it alone; else a fault of the answer itself is taken, if there is one. */
 Specimen AskAgain(const Symptom& symptom, const Oracle& oracle);
 
 /** The limits of a search for the smallest question. */

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "oracles/no_answer.h"
 #include "reports/shrink/size.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/triage/boxes_and_balls.h"
@@ -39,6 +40,24 @@ TEST(Specimen, TakesAWrongVariantForTheQuestion) {
   EXPECT_EQ(specimen.finding.measure, MeasureKind::kSeparationError);
   EXPECT_EQ(KindOf(std::get<Scenario>(specimen.question).contact.A.shape),
             ShapeKind::kSphere);
+}
+
+// The answer to the question is wrong, too, but a crash of its variant is another root.
+TEST(Specimen, TakesTheCrashOfAVariantRatherThanAFaultOfTheAnswer) {
+  const FakeOracle oracle("wrong", [](const ContactQuery& query) {
+    if (KindOf(query.A.shape) == ShapeKind::kSphere)
+      return CrashedAnswer("killed by SIGSEGV");
+    ContactAnswer answer = RightAnswer(query);
+    *answer.separation -= 0.1;
+    return answer;
+  });
+  const Scenario question = BoxAnd(Sphere{0.5}, {1.3, 0.1, 0.2});
+  const Symptom symptom = SymptomIn(question, oracle);
+  EXPECT_EQ(symptom.key.measure, MeasureKind::kSwap);
+  const Specimen specimen = AskAgain(symptom, oracle);
+  ASSERT_TRUE(specimen.is_repeatable);
+  EXPECT_EQ(specimen.finding.measure, MeasureKind::kAnswering);
+  EXPECT_EQ(specimen.finding.verdict, Verdict::kCrashed);
 }
 
 TEST(Specimen, FindsThatAnAnswerIsNotRepeated) {
