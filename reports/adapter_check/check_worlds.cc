@@ -138,7 +138,8 @@ std::vector<std::string> MistakesThatExplain(const Trajectory& motion, const Wor
     if (mistake.undo) mistake.undo(world, meant);
     const Trajectory right = reference.Simulate(simulated);
     if (right.status != AnswerStatus::kAnswered) continue;
-    if (DifferenceOf(meant, right).value <= kAlike) sentences.push_back(mistake.sentence);
+    if (DifferenceOf(meant, right).value <= kSameMotion)
+      sentences.push_back(mistake.sentence);
   }
   return sentences;
 }
@@ -156,7 +157,7 @@ WorldCheck CheckOne(const Trial& trial, const Oracle& oracle, const Oracle& refe
     return check;
   }
   const Difference difference = DifferenceOf(motion, reference.Simulate(trial.world));
-  if (difference.value <= kAlike) return check;
+  if (difference.value <= kSameMotion) return check;
   check.wrong = difference.words;
   check.mistakes = MistakesThatExplain(motion, trial.world, reference);
   return check;

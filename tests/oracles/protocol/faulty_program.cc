@@ -2,6 +2,7 @@
 // radius kFatal. Its first argument says how.
 
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -33,7 +34,7 @@ Json Hello() {
 Json AnswerTo(const Json& query) {
   double squares = 0;
   Json normal = Json::array();
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     const double d =
         query["B"]["position"][i].get<double>() - query["A"]["position"][i].get<double>();
     squares += d * d;

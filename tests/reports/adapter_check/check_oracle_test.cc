@@ -109,7 +109,7 @@ TEST(CheckOracle, FindsNothingWrongWithARightOracle) {
     EXPECT_EQ(world.wrong + world.reason, "") << world.world;
 }
 
-// Engines of first order are alike to kAlike, far below any mistake.
+// Engines of first order are alike to kSameMotion, far below any mistake.
 TEST(CheckOracle, FindsNothingWrongWithTheMotionsOfOtherEngines) {
   for (const char* name : {"bullet", "bullet_float", "ode", "dart", "mujoco"}) {
     if (!Exists(name)) continue;
