@@ -1093,7 +1093,8 @@ test("a motion that has diverged is not drawn on at its last pose, and its plot 
     assert.ok(await page.isChecked("#log"), "a spin of 1e8 beside one of 1 on a linear axis");
     await page.$eval("input[aria-label=Time]", (slider) => { slider.value = slider.max; slider.dispatchEvent(new Event("input")); });
     await page.waitForFunction(() => document.querySelectorAll(".stage-legend .ended").length === 1);
-    assert.equal(await page.$$eval(".stage .label:not([hidden])", (all) => all.filter((l) => ["ball", "box"].includes(l.textContent)).length), 0);
+    // The labels follow in a later frame.
+    await page.waitForFunction(() => [...document.querySelectorAll(".stage .label:not([hidden])")].every((l) => !["ball", "box"].includes(l.textContent)));
     // The legend covers nothing of the view.
     const [legend, stage] = [await page.locator(".stage-legend").boundingBox(), await page.locator(".stage").boundingBox()];
     assert.ok(legend.y >= stage.y + stage.height - 1);
