@@ -4,7 +4,7 @@
 
 namespace touchstone {
 
-/** What a shell command printed to standard output, and how it ended. */
+/** The standard output of a shell command, and its exit code. */
 struct CommandResult {
   std::string text;
   int code = 0;  ///< Exit code; 127 if there is no shell, 128 + signal after a signal.

@@ -21,7 +21,6 @@
 #include "cli/select_oracles.h"
 #include "cli/shell.h"
 #include "reports/sweep/sweep_file.h"
-#include "reports/text/counted.h"
 #include "reports/threads/parallel_for.h"
 #include "reports/triage/known_faults.h"
 #include "reports/triage/root_files.h"
@@ -109,7 +108,7 @@ Examined Examine(const Session& session, const TriageArguments& arguments,
   examined.specimens = Joined(std::move(examined.specimens));
   const SmallestOptions options{.tries = static_cast<std::size_t>(arguments.tries),
                                 .stop = stop};
-  // What there is no time for stays as large as it is.
+  // Specimens for which no time is left are not shrunk.
   ForEach(session, arguments, examined.specimens.size(), stop, [&](std::size_t i) {
     Specimen& specimen = examined.specimens[i];
     if (specimen.is_repeatable) specimen = Smallest(std::move(specimen), options);
@@ -249,7 +248,7 @@ int TriageCommand(const Session& session, const TriageArguments& arguments) try 
     std::cout << "The programs were not run: cmake is not installed\n";
   std::cout << fmt::format("Wrote {}\n", (folder / "index.md").string());
   if (const int signal = Interrupt::signal()) return 128 + signal;
-  // What was not examined may be new.
+  // A failure that was not examined may have a new root cause.
   if (index.left_out > 0 || !index.unrepeatable.empty()) return 1;
   return (arguments.baseline ? fresh > 0 : !roots.empty()) ? 1 : 0;
 } catch (const SweepFileError& error) {

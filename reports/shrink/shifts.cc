@@ -1,6 +1,5 @@
 #include "reports/shrink/shifts.h"
 
-#include <array>
 #include <numbers>
 
 #include "reports/contacts/body_size.h"

@@ -15,8 +15,8 @@ namespace touchstone {
 
 /** The limits of a search for a smaller question. */
 struct ShrinkOptions {
-  /** Limit of the smaller questions that the oracle is asked. The shifts of those that
-   show the fault come in addition. */
+  /** The greatest number of smaller questions that are asked. Their shifts are asked in
+   addition. */
   std::size_t tries = 5000;
   /** Limit of the answers that time out: each takes seconds. */
   std::size_t hangs = std::numeric_limits<std::size_t>::max();

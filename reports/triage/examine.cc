@@ -126,6 +126,7 @@ Specimen Smallest(Specimen specimen, const SmallestOptions& options) {
   specimen.question = std::move(shrunk.question);
   specimen.report = std::move(report);
   specimen.finding = std::move(shrunk.finding);
+  specimen.is_smallest = shrunk.is_smallest;
   specimen.shifts = shrunk.shifts;
   return specimen;
 }

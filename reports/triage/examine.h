@@ -26,6 +26,7 @@ struct Specimen {
   /** The fault: at first the decisive one of the answer or, if that is right, of a
    variant; of the smallest question the same fault. One of `report`. */
   Finding finding;
+  bool is_smallest = false;           ///< Same as Shrunk::is_smallest.
   std::optional<std::size_t> shifts;  ///< Same as Shrunk::shifts.
 };
 

@@ -16,11 +16,9 @@ std::vector<std::string> KnownFaultsLike(const Root& root, const Ledger& ledger)
     for (const Symptom& symptom : specimen.symptoms)
       kinds.emplace(symptom.key.oracle, symptom.key.verdict, symptom.key.measure);
   }
-  const std::string& version = root.smallest().oracle->info().version;
   std::set<std::string> faults;
   for (const LedgerEntry& entry : ledger.entries) {
-    // Oracles of one library have one version.
-    if (entry.version != version) continue;
+    if (entry.version != root.key.version) continue;
     if (std::ranges::any_of(entry.measures, [&](MeasureKind measure) {
           return kinds.contains({entry.oracle, entry.verdict, measure});
         })) {

@@ -112,6 +112,7 @@ void Sum(Root& root) {
 
 RootKey KeyOf(const Specimen& specimen) {
   RootKey key{.library = specimen.oracle->info().library,
+              .version = specimen.oracle->info().version,
               .algorithm = AlgorithmOf(specimen),
               .failure = FailureOf(specimen),
               .place = EndingOf(specimen.finding),
@@ -157,7 +158,7 @@ std::vector<Root> RootsOf(std::vector<Specimen> specimens) {
 std::string TitleOf(const Root& root) {
   const RootKey& key = root.key;
   std::string title = fmt::format(
-      "{} {}{} {}", key.library, root.smallest().oracle->info().version,
+      "{} {}{} {}", key.library, key.version,
       key.algorithm.empty() ? "" : fmt::format(" ({})", key.algorithm), key.failure);
   for (const std::string* const part : {&key.place, &key.shapes}) {
     if (!part->empty()) title += ": " + *part;

@@ -16,6 +16,7 @@ namespace touchstone {
  library. */
 struct RootKey {
   std::string library;
+  std::string version;
   std::string algorithm;  ///< Capability::family; empty for a world.
   std::string failure;    ///< "states a wrong depth"
   std::string place;      ///< EndingOf() the finding, of a missing answer.
@@ -43,8 +44,8 @@ struct Root {
   Rate rate;  ///< Sum of `rates`: answers, since several oracles may be asked one
               ///< question.
   Band band = Band::kNone;  ///< The gravest that the sweep has found.
-  /** What it does to users: the number of its band, plus half of the decimal logarithm of
-   its rate, so that one band weighs as much as a hundred times the frequency. [-] */
+  /** The rank: the number of the band plus ½ log10 of the rate. A step of one band counts
+   as much as a rate a hundred times as high. [-] */
   double gravity = 0;
 
   const Specimen& smallest() const { return specimens.front(); }
@@ -59,7 +60,8 @@ std::string TitleOf(const Root& root);
 /** Returns the oracles that show it, sorted. */
 std::vector<std::string> OraclesOf(const Root& root);
 
-/** Returns a name for its folder, made from the key alone: lower-case letters, digits and
+/** Returns a name for its folder, made from the key without the version: lower-case
+ letters, digits and
  '_'. Two roots may have the same. */
 std::string FolderOf(const Root& root);
 

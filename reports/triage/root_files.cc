@@ -7,7 +7,6 @@
 #include "reports/shrink/shifts.h"
 #include "reports/shrink/shrunk_file.h"
 #include "reports/text/commented.h"
-#include "reports/text/counted.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 
@@ -96,14 +95,20 @@ std::string RatePart(const Root& root) {
 }
 
 std::string NeighbourhoodPart(const Root& root) {
-  const std::optional<std::size_t> shifts = root.smallest().shifts;
-  if (!shifts) return "";
-  return fmt::format(
-      "## Neighbourhood\n\nThe same fault, by the same measure and proof and at least "
-      "half "
-      "as large, is in {} of {} questions in which B is moved and turned by 1 % of the "
-      "smallest radius or half side.\n\n",
-      *shifts, kShifts);
+  const Specimen& smallest = root.smallest();
+  std::string text = smallest.is_smallest ? ""
+                                          : "## Smaller questions\n\nThe search for a "
+                                            "smaller question ended early. There "
+                                            "may be one.\n\n";
+  if (!smallest.shifts) return text;
+  return text + fmt::format(
+                    "## Neighbourhood\n\nThe same fault, by the same measure and proof "
+                    "and at least "
+                    "half "
+                    "as large, is in {} of {} questions in which B is moved and turned "
+                    "by 1 % of the "
+                    "smallest radius or half side.\n\n",
+                    *smallest.shifts, kShifts);
 }
 
 std::string KnownPart(const std::vector<std::string>& known) {

@@ -30,7 +30,7 @@ enum class ProgramEnding {
   kUnfinished,  ///< Killed, or out of time.
 };
 
-/** What a program printed when it was run. */
+/** The output of a program, and how it ended. */
 struct ProgramOutput {
   std::string text;
   ProgramEnding ending = ProgramEnding::kNotBuilt;

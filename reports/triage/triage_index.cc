@@ -66,6 +66,13 @@ std::string CountOf(const TriageIndex& index) {
         " {} not examined: the time was over.",
         Counted(index.left_out, "kind of failure was", "kinds of failure were"));
   }
+  const auto early = std::ranges::count_if(index.roots, [](const IndexedRoot& entry) {
+    return !entry.root->smallest().is_smallest;
+  });
+  if (early > 0) {
+    text += fmt::format(
+        " Of {} the case may not be the smallest: the search ended early.", early);
+  }
   if (index.is_search) {
     text +=
         " The rates say nothing: the questions of a worst-case search depend on the "

@@ -35,7 +35,8 @@ std::string SummaryOf(const TriageIndex& index);
 /** Returns roots.txt: the keys of the roots, one a line, for a later triage. */
 std::string KeysFile(const std::vector<Root>& roots);
 
-/** Returns the line of a root in roots.txt, without its end. */
+/** Returns the line of a root in roots.txt, without its end. It has no version: a fault
+ that an update of the library leaves as it was is not new. */
 std::string KeyLine(const RootKey& key);
 
 }  // namespace touchstone

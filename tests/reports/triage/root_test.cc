@@ -10,6 +10,7 @@
 #include "reports/shrink/shrink.h"
 #include "reports/triage/known_faults.h"
 #include "reports/triage/root_files.h"
+#include "reports/triage/triage_index.h"
 #include "scenarios/scenario_file.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/triage/boxes_and_balls.h"
@@ -94,6 +95,29 @@ TEST(Roots, TellLibrariesFaultsAndPlacesApart) {
   EXPECT_EQ(roots[0].band, Band::kWrong);
   EXPECT_EQ(roots[2].band, Band::kWrong);
   EXPECT_LT(roots[4].band, Band::kWrong);
+}
+
+TEST(Roots, OfTwoVersionsOfALibraryAreTwo) {
+  const FakeOracle old = Of("lib", "Lib", DoubleTheDepth);
+  FakeOracle recent = Of("lib@2", "Lib", DoubleTheDepth);
+  recent.info().version = "2.0";
+  const std::vector<Root> roots =
+      RootsOf({SpecimenOf(kBoxAndBall, old), SpecimenOf(kBoxAndBall, recent)});
+  ASSERT_EQ(roots.size(), 2U);
+  EXPECT_NE(TitleOf(roots[0]), TitleOf(roots[1]));
+  EXPECT_EQ(KeyLine(roots[0].key), KeyLine(roots[1].key));
+}
+
+TEST(RootFiles, SayThatTheSearchForASmallerQuestionEndedEarly) {
+  const FakeOracle oracle = Of("lib/one", "Lib", DoubleTheDepth);
+  const Specimen asked = AskAgain(SymptomIn(kBoxAndBall, oracle), oracle);
+  const auto report = [](const Specimen& specimen) {
+    const Root root = RootsOf({specimen}).at(0);
+    return ReportOf(root, ProgramOf(root), std::nullopt, {});
+  };
+  EXPECT_THAT(report(Smallest(asked, {})), testing::Not(HasSubstr("ended early")));
+  EXPECT_THAT(report(Smallest(asked, {.tries = 1})), HasSubstr("ended early"));
+  EXPECT_THAT(report(asked), HasSubstr("ended early"));
 }
 
 TEST(Roots, OfClosedFormsAreOfTheirShapes) {

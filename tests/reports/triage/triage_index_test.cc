@@ -44,6 +44,7 @@ TEST_F(TriageIndexTest, ListsWhatIsNewSinceTheBaselineFirst) {
                           .left_out = 3,
                           .has_baseline = true};
   const std::string page = IndexPage(index);
+  EXPECT_THAT(page, testing::Not(HasSubstr("ended early")));
   EXPECT_LT(page.find("(fresh/REPORT.md)"), page.find("(old/REPORT.md)"));
   EXPECT_THAT(page,
               AllOf(HasSubstr("2 root causes, 1 of them new since the baseline."),
