@@ -48,12 +48,15 @@ double Extent(std::span<const Eigen::Vector3d> points) {
 }
 
 /** Returns the corners of the patch along `n_W`, drawn to its middle by 2 % at a time
- until both bodies reach there. Returns none if they reach only one corner of several: the
- patch is flush with a direction near `n_W`, and a right answer spans it. */
+ until both bodies reach there. A corner that the question's own rounding tilts away
+ counts as reached. Returns none if they reach only one corner of several: the patch is
+ flush with a direction near `n_W`, and a right answer spans it. */
 std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
+                                         const ContactTruth& truth,
                                          const Eigen::Vector3d& n_W, double separation,
                                          const Accuracy& accuracy) {
   const double e = accuracy.length;
+  const double reached = std::max(0.75 * e, truth.input_rounding);
   const ContactPatch patch = PatchAlong(query, n_W, separation, e);
   const Eigen::Vector3d middle = Middle(patch.vertices_W);
   std::vector<Eigen::Vector3d> points;
@@ -62,7 +65,7 @@ std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
       const double drawn = 1 - 0.02 * step;
       const Eigen::Vector3d p_W = middle + drawn * (corner - middle);
       const WitnessPoints on = SurfacePointsOf({p_W, separation, {}}, n_W);
-      if (SurfaceError(query, on) > 0.75 * e) continue;
+      if (SurfaceError(query, on) > reached) continue;
       points.push_back(p_W);
       break;
     }
@@ -371,7 +374,7 @@ Altered DrawnInByLittle(const RightlyAnswered& q, RandomScene& random) {
 Altered OtherWitnesses(const RightlyAnswered& q, RandomScene& random) {
   const Eigen::Vector3d& n_W = *q.right.n_AB_W;
   const std::vector<Eigen::Vector3d> points =
-      PatchPoints(q.query, n_W, *q.right.separation, q.accuracy);
+      PatchPoints(q.query, q.truth, n_W, *q.right.separation, q.accuracy);
   if (points.size() < 2) return std::nullopt;
   Eigen::Vector3d p_W = points[0];
   for (const Eigen::Vector3d& p : points) p_W += random.Uniform(0, 1) * (p - p_W);
@@ -416,7 +419,8 @@ Altered OtherTie(const RightlyAnswered& q, RandomScene& random) {
   ContactAnswer answer = q.right;
   answer.n_AB_W = m_W;
   answer.points.clear();
-  for (const Eigen::Vector3d& p_W : PatchPoints(q.query, m_W, -overlap.lo, q.accuracy))
+  for (const Eigen::Vector3d& p_W :
+       PatchPoints(q.query, q.truth, m_W, -overlap.lo, q.accuracy))
     answer.points.push_back({p_W, *answer.separation, {}});
   if (answer.points.empty()) return std::nullopt;
   answer.witnesses = SurfacePointsOf(answer.points.front(), m_W);
@@ -469,7 +473,7 @@ std::optional<ContactAnswer> RightAnswerOf(const ContactQuery& query,
   answer.witnesses = {truth.certificate.p_WCa, truth.certificate.p_WCb};
   if (!answer.touching) return answer;
   for (const Eigen::Vector3d& p_W :
-       PatchPoints(query, *answer.n_AB_W, *answer.separation, accuracy)) {
+       PatchPoints(query, truth, *answer.n_AB_W, *answer.separation, accuracy)) {
     answer.points.push_back({p_W, *answer.separation, {}});
   }
   if (answer.points.empty()) return std::nullopt;

@@ -184,6 +184,19 @@ TEST(CertainPatch, OnAHalfSpaceIsSeenAlongItsOwnNormal) {
   EXPECT_EQ(tilted_by(1e-8).vertices_W.size(), 1U);
 }
 
+// The tilt is more than the question's rounding and less than the 64 roundings of the
+// scene that a double engine may be off by: one that is exact returns fewer corners.
+TEST(CertainPatch, OfAFaceTiltedByHalfTheAccuracyOfDoublesIsAPoint) {
+  constexpr double tilt = 6e-15;
+  const ContactQuery query = {
+      Place(HalfSpace{}, {0, 0, 0.2}),
+      Place(Box{{0.1, 0.2, 0.1}}, {0, 0, 0.29}, Turn(tilt, {1, 2, 0}))};
+  const double e = 64 * 0x1p-53 * SceneSize(query);
+  const double highest = tilt * 2 * (1 * 0.2 + 2 * 0.1) / std::sqrt(5.0);
+  ASSERT_LT(highest, e);
+  EXPECT_EQ(CertainPatch(query, Up(), -0.01, 0, e).vertices_W.size(), 1U);
+}
+
 TEST(CertainPatch, OfASliverIsASegmentAndOfASpeckAPoint) {
   const auto shared = [](double x, double y) {
     return CertainPatchOf({Place(Box{{0.5, 0.4, 0.3}}, {0, 0, 0}),
