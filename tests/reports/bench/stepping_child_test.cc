@@ -20,13 +20,13 @@ namespace {
 volatile int forever = 1;
 
 // Returns the reason of the end of a child whose engine does `deed` in its third step.
-std::string ReasonOf(void (*deed)()) {
+std::string ReasonOf(void (*deed)(),
+                     std::chrono::seconds wall = std::chrono::minutes(2)) {
   const PlantedSimulator oracle("planted", [&](int, int step) {
     if (step == 3) deed();
   });
   const World world = TwoBalls();
-  SteppingChild child(oracle, world,
-                      {1, std::chrono::milliseconds(300), std::chrono::seconds(2)});
+  SteppingChild child(oracle, world, {1, std::chrono::milliseconds(300), wall});
   EXPECT_TRUE(child.Step(2).has_value());
   EXPECT_TRUE(child.Quality().has_value());
   EXPECT_FALSE(child.Step(2).has_value());
@@ -71,9 +71,11 @@ TEST(SteppingChild, HasAReasonForItsEnd) {
               }
             }),
             "no answer after 0.3 s of CPU time");
-  EXPECT_EQ(ReasonOf([] {
-              while (forever != 0) pause();
-            }),
+  EXPECT_EQ(ReasonOf(
+                [] {
+                  while (forever != 0) pause();
+                },
+                std::chrono::seconds(2)),
             "no answer after 2 s, blocked");
 }
 
