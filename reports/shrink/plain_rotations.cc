@@ -26,7 +26,8 @@ Eigen::Quaterniond NearestWithDenominator(const Eigen::Quaterniond& q, double n)
     if (best.isZero() || (integers - exact).norm() < (best - exact).norm())
       best = integers;
   }
-  return Eigen::Quaterniond(Eigen::Vector4d(best / n));
+  // Adding 0 turns -0 into 0.
+  return Eigen::Quaterniond(Eigen::Vector4d((best / n).array() + 0.0));
 }
 
 /** Returns the rotations that could replace that of `X`, at the same place. */

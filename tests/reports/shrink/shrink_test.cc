@@ -166,6 +166,20 @@ TEST(Reductions, ReplaceARotationByTheIdentityAndByFewDigitsNearby) {
   }));
 }
 
+// "-0.0" in a file is one more thing that a reader wonders about.
+TEST(Reductions, RoundNoRotationToMinusZero) {
+  Scenario boxes = TwoBoxes();
+  boxes.contact.B.X_WB =
+      Pose::FromQuaternion({0.9, -0.5, 1.3}, {-0.004, 1, 0.002, -0.003});
+  EXPECT_FALSE(Offers(PlainRotations, boxes, [](const Question& candidate) {
+    const Pose& X = ContactOf(candidate).B.X_WB;
+    if (!X.q_WB) return false;
+    const Eigen::Vector4d& q = X.q_WB->coeffs();
+    return std::any_of(q.begin(), q.end(),
+                       [](double x) { return x == 0 && std::signbit(x); });
+  }));
+}
+
 TEST(Reductions, MakeSizesEqual) {
   EXPECT_TRUE(Offers(EqualSizes, TwoBoxes(), [](const Question& candidate) {
     return std::get<Box>(ContactOf(candidate).B.shape).half_extents ==
