@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/counted.h"
+
 namespace touchstone {
 namespace {
 
@@ -123,9 +125,15 @@ std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least) 
                            : fmt::format(kContactRow, "family", "pair", column("subject"),
                                          "questions", "touching", "undecided", "failed",
                                          "worst, in tolerances"));
+  std::size_t unasked = 0;
   for (std::size_t s = 0; s < settings.series.size(); ++s) {
     const Series& series = settings.series[s];
     const SeriesTally tally = file.Read(s);
+    if (std::ranges::all_of(
+            tally.oracles, [](const OracleTally& oracle) { return oracle.asked == 0; })) {
+      ++unasked;
+      continue;
+    }
     for (std::size_t i = 0; i < summaries.size(); ++i) {
       const OracleTally& oracle = tally.oracles[i];
       Add(oracle, IsOfWorlds(series), s, least, summaries[i]);
@@ -134,6 +142,9 @@ std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least) 
           [&](const auto& of_kind) { return RowOf(of_kind, subject, oracle); }, series);
     }
   }
+  if (unasked > 0)
+    std::cout << fmt::format("{} not asked yet\n",
+                             Counted(unasked, "series is", "series are"));
   return summaries;
 }
 
