@@ -197,7 +197,7 @@ std::string Predicate(const Proof& proof) {
     }
     case ProofKind::kOffSurfaces:
       return fmt::format(
-          "puts a contact at {}; these are {} m and {} m from the surfaces",
+          "puts its points at {}; these are {} m and {} m from the surfaces",
           OnBoth(proof, "on"), InMetres(proof.said), InMetres(proof.bound));
     case ProofKind::kTooShallow:
       return fmt::format(
