@@ -193,14 +193,16 @@ of each oracle, pair of shapes, measure and ending again, shrinks it, and takes 
 smallest questions have the same library, algorithm, fault and shapes, or whose crashes have the
 same place, for one root cause. Each gets a folder: the smallest question, a program against the
 library's own API with its output, and a report for the library's tracker with the rate of the
-fault. index.md lists them, the worst first.
+fault. index.md lists them, the worst first. The failures of a run that the ledger does not know
+have root causes, too.
 
 With --baseline, root causes that an earlier triage has are listed last and do not count.
 )",
      R"(
   touchstone triage night
   touchstone triage night --baseline yesterday/triage
-  touchstone triage night --out roots --time 1h --no-programs
+  touchstone triage night --subject ode --out roots --time 1h --no-programs
+  touchstone triage report                       the folder of touchstone run --out
 )",
      "0 no failure, with --baseline no new root cause; 1 root causes, or kinds of "
      "failure "

@@ -523,16 +523,20 @@ class CommandLine {
   }
 
   void AddTriage() {
-    CLI::App* app = AddCommand("triage", "Find the root causes of a sweep's failures",
+    CLI::App* app = AddCommand("triage", "Find the root causes of the failures of a sweep",
                                [this] { return TriageCommand(session_, triage_); });
-    app->add_option("SWEEP", triage_.sweep,
-                    "folder that `touchstone sweep --out` wrote, or its sweep.sqlite")
+    app->add_option("DIR", triage_.source,
+                    "folder that `touchstone sweep --out` or `touchstone run --out` "
+                    "wrote, or its sweep.sqlite or report.data")
         ->required()
         ->type_name("");
     app->add_option("-o,--out", triage_.out,
                     "folder for index.md and a folder a root cause (default: triage, "
-                    "beside the file of the sweep)")
+                    "in DIR)")
         ->type_name("DIR");
+    app->add_option("--subject", triage_.subjects,
+                    "only the failures of these oracles or groups, separated by commas")
+        ->type_name("NAMES");
     app->add_option("--baseline", triage_.baseline,
                     "folder of an earlier triage: what it has is not new")
         ->type_name("DIR");

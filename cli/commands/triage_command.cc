@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <functional>
 #include <iostream>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/commands/read_failures.h"
 #include "cli/input_error.h"
 #include "cli/interrupt.h"
 #include "cli/output_folder.h"
@@ -21,7 +20,6 @@
 #include "cli/select_oracles.h"
 #include "cli/shell.h"
 #include "reports/sweep/sweep_file.h"
-#include "reports/threads/parallel_for.h"
 #include "reports/triage/known_faults.h"
 #include "reports/triage/root_files.h"
 #include "reports/triage/triage_index.h"
@@ -30,28 +28,6 @@ namespace touchstone {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/** Returns the file of a finished sweep that `path` is or holds. */
-std::filesystem::path FileIn(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::is_directory(path, error) ? path / "sweep.sqlite" : path;
-}
-
-/** Throws InputError if the oracles of this program are not set up as those of the sweep,
- which would be asked other questions. */
-void RequireSameOracles(const SweepFile& file,
-                        const std::vector<const Oracle*>& subjects) {
-  SweepPlan plan;
-  plan.subjects = subjects;
-  const std::string now = SettingsOf(plan).values.at("subjects");
-  const auto subjects_then = file.settings().values.find("subjects");
-  const std::string then =
-      subjects_then == file.settings().values.end() ? "" : subjects_then->second;
-  if (now == then) return;
-  throw InputError(
-      fmt::format("{}: it asked {}, not {}; expected the same versions and settings",
-                  file.file().string(), then, now));
-}
 
 /** Returns the keys of an earlier triage. Throws InputError. */
 std::set<std::string> KeysIn(const std::filesystem::path& folder) {
@@ -67,49 +43,28 @@ std::set<std::string> KeysIn(const std::filesystem::path& folder) {
   return keys;
 }
 
-/** Calls `work(i)` for each of `count` items in several threads, with a progress bar,
- until `stop`. Returns the number of items that were left out. */
-std::size_t ForEach(const Session& session, const TriageArguments& arguments,
-                    std::size_t count, const std::function<bool()>& stop,
-                    const std::function<void(std::size_t)>& work) {
-  ProgressBar bar(session.terminal, arguments.quiet);
-  std::mutex mutex;
-  std::size_t done = 0;
-  std::size_t left_out = 0;
-  ParallelFor(count, arguments.jobs, [&](std::size_t i) {
-    const bool is_over = stop();
-    if (!is_over) work(i);
-    const std::scoped_lock lock(mutex);
-    if (is_over) ++left_out;
-    bar.Show(++done, count);
-  });
-  return left_out;
-}
-
 /** The smallest questions of the symptoms, as far as there is time. */
 struct Examined {
   std::vector<Specimen> specimens;
   std::size_t left_out = 0;  ///< Symptoms that were not asked again.
 };
 
-Examined Examine(const Session& session, const TriageArguments& arguments,
-                 const std::vector<Symptom>& symptoms,
-                 const std::function<bool()>& stop) {
+Examined Examine(const Session& session, const ParallelWork& work, int tries,
+                 const std::vector<Symptom>& symptoms) {
   std::vector<std::optional<Specimen>> asked(symptoms.size());
   Examined examined;
-  examined.left_out =
-      ForEach(session, arguments, symptoms.size(), stop, [&](std::size_t i) {
-        asked[i] =
-            AskAgain(symptoms[i], OracleNamed(session.registry, symptoms[i].key.oracle));
-      });
+  examined.left_out = ForEachInParallel(work, symptoms.size(), [&](std::size_t i) {
+    asked[i] =
+        AskAgain(symptoms[i], OracleNamed(session.registry, symptoms[i].key.oracle));
+  });
   for (std::optional<Specimen>& specimen : asked) {
     if (specimen) examined.specimens.push_back(std::move(*specimen));
   }
   examined.specimens = Joined(std::move(examined.specimens));
-  const SmallestOptions options{.tries = static_cast<std::size_t>(arguments.tries),
-                                .stop = stop};
+  const SmallestOptions options{.tries = static_cast<std::size_t>(tries),
+                                .stop = work.stop};
   // Specimens for which no time is left are not shrunk.
-  ForEach(session, arguments, examined.specimens.size(), stop, [&](std::size_t i) {
+  ForEachInParallel(work, examined.specimens.size(), [&](std::size_t i) {
     Specimen& specimen = examined.specimens[i];
     if (specimen.is_repeatable) specimen = Smallest(std::move(specimen), options);
   });
@@ -165,8 +120,8 @@ std::string UniqueFolder(const Root& root, std::set<std::string>& names) {
 
 /** Writes the folder of a root. */
 IndexedRoot WriteRoot(const OutputFolder& out, const std::filesystem::path& path,
-                      const Root& root, std::string folder, const Ledger& ledger,
-                      bool run_programs) {
+                      const Root& root, std::string folder,
+                      const std::vector<std::string>& known, bool run_programs) {
   const auto write = [&](const char* name, const std::string& text) {
     out.Write(std::filesystem::path(folder) / name,
               [&](std::ostream& to) { to << text; });
@@ -181,7 +136,6 @@ IndexedRoot WriteRoot(const OutputFolder& out, const std::filesystem::path& path
     write("CMakeLists.txt", program.files->build);
     if (run_programs) output = OutputOf(path / folder);
   }
-  const std::vector<std::string> known = KnownFaultsLike(root, ledger);
   write("REPORT.md", ReportOf(root, program, output, known));
   return {.root = &root,
           .folder = std::move(folder),
@@ -192,16 +146,11 @@ IndexedRoot WriteRoot(const OutputFolder& out, const std::filesystem::path& path
 }  // namespace
 
 int TriageCommand(const Session& session, const TriageArguments& arguments) try {
-  const std::filesystem::path path = FileIn(arguments.sweep);
+  const std::filesystem::path source = FailuresFileIn(arguments.source);
   const std::filesystem::path folder =
-      arguments.out.empty() ? path.parent_path() / "triage" : arguments.out;
+      arguments.out.empty() ? source.parent_path() / "triage" : arguments.out;
   std::set<std::string> before;
   if (arguments.baseline) before = KeysIn(*arguments.baseline);
-  const SweepFile file = SweepFile::Open(path);
-  std::vector<const Oracle*> subjects;
-  for (const std::string& name : file.settings().subjects)
-    subjects.push_back(&OracleNamed(session.registry, name));
-  RequireSameOracles(file, subjects);
   if (std::error_code error; std::filesystem::exists(folder / "index.md", error)) {
     throw InputError(fmt::format(
         "{} holds an earlier triage; expected --out with another folder, or that it is "
@@ -216,24 +165,37 @@ int TriageCommand(const Session& session, const TriageArguments& arguments) try 
     return Interrupt::signal() != 0 ||
            (arguments.time && Clock::now() - start >= *arguments.time);
   };
-  const std::vector<Symptom> symptoms = SymptomsOf(file);
-  Examined examined = Examine(session, arguments, symptoms, stop);
+  const ParallelWork work{.terminal = session.terminal,
+                          .quiet = arguments.quiet,
+                          .jobs = arguments.jobs,
+                          .stop = stop};
+  const FoundFailures found = ReadFailures(session, source, arguments.subjects, work);
+  const Failures& failures = found.failures;
+  Examined examined = Examine(session, work, arguments.tries, failures.symptoms);
   TriageIndex index;
-  index.sweep = path.string();
+  index.source = source.string();
+  index.asked = found.asked;
+  index.failed = failures.failed;
+  index.unproved = failures.unproved;
+  index.vanished = failures.vanished;
   index.left_out = examined.left_out;
-  index.is_search = std::ranges::any_of(file.settings().series, IsSearch);
+  index.is_search = found.is_search;
   index.has_baseline = arguments.baseline.has_value();
   for (const Specimen& specimen : examined.specimens) {
     if (!specimen.is_repeatable) index.unrepeatable.push_back(specimen);
   }
-  const std::vector<Root> roots = RootsOf(std::move(examined.specimens));
+  const std::vector<Root> roots =
+      RootsOf(std::move(examined.specimens), failures.asked, found.oracles);
   const Ledger ledger = BuiltInLedger(session, {}, {});
+  const Questions catalogue =
+      SelectQuestions({.patterns = {}, .catalogues = {session.catalogue()}});
   const bool run_programs = arguments.run_programs && IsInstalled("cmake");
   std::set<std::string> names;
   {
     ProgressBar bar(session.terminal, arguments.quiet);
     for (const Root& root : roots) {
-      IndexedRoot entry = WriteRoot(out, folder, root, UniqueFolder(root, names), ledger,
+      IndexedRoot entry = WriteRoot(out, folder, root, UniqueFolder(root, names),
+                                    KnownFaultsLike(root, ledger, catalogue),
                                     run_programs && Interrupt::signal() == 0);
       entry.is_fresh = arguments.baseline && !before.contains(KeyLine(root.key));
       index.roots.push_back(std::move(entry));

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "cli/session.h"
 
@@ -10,8 +11,10 @@ namespace touchstone {
 
 /** The arguments of `touchstone triage`. */
 struct TriageArguments {
-  std::filesystem::path sweep;  ///< The folder of a finished sweep, or its sweep.sqlite.
-  std::filesystem::path out;    ///< Empty: the folder `triage` beside the sweep's file.
+  /** The folder of a finished sweep or a run, its sweep.sqlite or its report.data. */
+  std::filesystem::path source;
+  std::filesystem::path out;  ///< Empty: the folder `triage` beside that file.
+  std::string subjects;       ///< Names or groups; empty: all that were asked.
   /** The folder of an earlier triage; its roots are not new. */
   std::optional<std::filesystem::path> baseline;
   int tries = 300;  ///< Same as SmallestOptions::tries.
@@ -22,9 +25,9 @@ struct TriageArguments {
   bool quiet = false;
 };
 
-/** Examines the failures that a sweep has kept and writes a folder a root cause, and an
- index. Returns 1 if there are any, of a baseline any that it lacks, otherwise 0. Throws
- InputError. */
+/** Examines the failures that a sweep has kept, or a run has found, and writes a folder a
+ root cause, and an index. Returns 1 if there are any, of a baseline any that it lacks,
+ otherwise 0. Throws InputError. */
 int TriageCommand(const Session& session, const TriageArguments& arguments);
 
 }  // namespace touchstone

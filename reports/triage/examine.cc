@@ -50,6 +50,23 @@ std::optional<Finding> FaultIn(const RunReport& report) {
   return decisive == nullptr ? std::nullopt : std::optional(*decisive);
 }
 
+/** Returns the fault of the answer that `symptom` is likely to follow from: a wrong depth
+ or normal moves the surfaces on which contacts are judged, and measures are enumerated in
+ that order. A normal off by the angle θ costs the share θ² of a depth and moves the
+ surfaces by the share θ, and the bounds of the grades are 1e-6, 1e-3 and 0.1: the source
+ is at most one grade milder. */
+const Finding& SourceOf(const RunReport& report, const Finding& symptom) {
+  if (!report.worlds.empty() || IsOfAVariant(symptom.measure)) return symptom;
+  const Finding* source = &symptom;
+  for (const Finding& finding : report.findings) {
+    if (finding.verdict == symptom.verdict && !IsOfAVariant(finding.measure) &&
+        static_cast<int>(finding.grade) + 1 >= static_cast<int>(symptom.grade) &&
+        finding.measure < source->measure)
+      source = &finding;
+  }
+  return *source;
+}
+
 /** A question with a fault of its own. */
 struct Found {
   Question question;
@@ -80,7 +97,7 @@ std::optional<Found> FaultOf(const Symptom& symptom, const Question& original,
   RunReport report = AskAlone(original, oracle);
   const Finding* const again = SymptomIn(report, symptom.key);
   if (again == nullptr) return std::nullopt;
-  Finding fault = *again;
+  Finding fault = SourceOf(report, *again);
   if (IsOfAVariant(fault.measure)) {
     if (auto found =
             WrongVariant(std::get<Scenario>(original), symptom.key.measure, oracle)) {

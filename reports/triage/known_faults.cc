@@ -6,9 +6,38 @@
 
 #include <fmt/format.h>
 
-namespace touchstone {
+#include "reports/ledger/glob.h"
 
-std::vector<std::string> KnownFaultsLike(const Root& root, const Ledger& ledger) {
+namespace touchstone {
+namespace {
+
+/** Returns whether `entry` is about `question`. */
+template <typename Question>
+bool IsAbout(const LedgerEntry& entry, const Question& question) {
+  return std::ranges::any_of(entry.scenarios, [&](const std::string& glob) {
+    return MatchesGlob(glob, question.id);
+  });
+}
+
+/** Returns whether `entry` is about a question that may show `root` to `oracle`. */
+bool MayBe(const Root& root, const LedgerEntry& entry, const Questions& catalogue,
+           const OracleInfo& oracle) {
+  if (root.key.algorithm.empty()) {
+    return std::ranges::any_of(catalogue.worlds, [&](const WorldScenario& world) {
+      return IsAbout(entry, world);
+    });
+  }
+  return std::ranges::any_of(catalogue.contacts, [&](const Scenario& scenario) {
+    const auto& [A, B] = scenario.contact;
+    return MayShow(root.key, std::pair(KindOf(A.shape), KindOf(B.shape)), oracle) &&
+           IsAbout(entry, scenario);
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> KnownFaultsLike(const Root& root, const Ledger& ledger,
+                                         const Questions& catalogue) {
   std::set<std::tuple<std::string, Verdict, MeasureKind>> kinds;
   for (const Specimen& specimen : root.specimens) {
     const Finding& finding = specimen.finding;
@@ -19,9 +48,10 @@ std::vector<std::string> KnownFaultsLike(const Root& root, const Ledger& ledger)
   std::set<std::string> faults;
   for (const LedgerEntry& entry : ledger.entries) {
     if (entry.version != root.key.version) continue;
-    if (std::ranges::any_of(entry.measures, [&](MeasureKind measure) {
-          return kinds.contains({entry.oracle, entry.verdict, measure});
-        })) {
+    const bool is_alike = std::ranges::any_of(entry.measures, [&](MeasureKind measure) {
+      return kinds.contains({entry.oracle, entry.verdict, measure});
+    });
+    if (is_alike && MayBe(root, entry, catalogue, root.smallest().oracle->info())) {
       faults.insert(fmt::format("{} ({})", FaultOf(entry), entry.upstream));
     }
   }

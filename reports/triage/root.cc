@@ -30,8 +30,15 @@ std::string FailureOf(const Specimen& specimen) {
   switch (finding.measure) {
     case MeasureKind::kTouching:
       return touching ? "misses a contact" : "reports a contact where there is none";
-    case MeasureKind::kSeparationError:
     case MeasureKind::kConsistencyError:
+      // A right depth does not belong to its normal.
+      if (std::ranges::any_of(specimen.report.findings, [](const Finding& other) {
+            return other.measure == MeasureKind::kSeparationError &&
+                   other.verdict == Verdict::kPass;
+          }))
+        return "gives a wrong normal";
+      [[fallthrough]];
+    case MeasureKind::kSeparationError:
     case MeasureKind::kContactTooDeep:
     case MeasureKind::kContactSeparationError:
       return touching ? "states a wrong depth" : "states a wrong distance";
@@ -42,7 +49,8 @@ std::string FailureOf(const Specimen& specimen) {
     case MeasureKind::kContactOffPatch:
     case MeasureKind::kPatchCoverage:
     case MeasureKind::kContactCount:
-      return "gives wrong contact points";
+      // Of bodies apart, the nearest points are off the surfaces.
+      return touching ? "gives wrong contact points" : "gives wrong nearest points";
     case MeasureKind::kDualityGap:
     case MeasureKind::kWitnessError:
       return "gives wrong nearest points";
@@ -63,16 +71,20 @@ bool IsOfItsShapes(const Specimen& specimen, const RootKey& key) {
          std::holds_alternative<WorldScenario>(specimen.question);
 }
 
+std::string PairName(ShapeKind a, ShapeKind b) {
+  const auto [first, second] = std::minmax(NameOf(a), NameOf(b));
+  return fmt::format("{} and {}", first, second);
+}
+
 /** Returns the kinds of the bodies, each once and sorted; both of a contact question. */
 std::string ShapesOf(const Question& question) {
-  std::vector<std::string_view> names;
-  for (const Body* const body : BodiesOf(question)) {
-    names.push_back(NameOf(KindOf(body->shape)));
+  if (const auto* const scenario = std::get_if<Scenario>(&question)) {
+    const auto& [A, B] = scenario->contact;
+    return PairName(KindOf(A.shape), KindOf(B.shape));
   }
-  std::ranges::sort(names);
-  if (std::holds_alternative<WorldScenario>(question)) {
-    names.erase(std::unique(names.begin(), names.end()), names.end());
-  }
+  std::set<std::string_view> names;
+  for (const Body* const body : BodiesOf(question))
+    names.insert(NameOf(KindOf(body->shape)));
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
@@ -90,25 +102,41 @@ Band BandOf(const Specimen& specimen) {
 }
 
 /** Completes a root from its specimens. */
-void Sum(Root& root) {
+void Sum(Root& root, std::span<const Asked> asked,
+         std::span<const Oracle* const> oracles) {
   std::ranges::stable_sort(root.specimens, std::less{}, [](const Specimen& specimen) {
     return SizeOf(specimen.question);
   });
   for (const Specimen& specimen : root.specimens) {
     for (const Symptom& symptom : specimen.symptoms) {
-      for (const auto& [asked, rate] : symptom.rates) {
-        Rate& of_oracle = root.rates[{symptom.key.oracle, asked}];
-        of_oracle.failed += rate.failed;
-        of_oracle.asked = rate.asked;
-      }
+      for (const auto& [what, failed] : symptom.failed)
+        root.rates[{symptom.key.oracle, what}].failed += failed;
     }
     root.band = std::max(root.band, BandOf(specimen));
+  }
+  const std::vector<std::string> shown_by = OraclesOf(root);
+  for (const Asked& row : asked) {
+    if (!std::ranges::binary_search(shown_by, row.oracle)) continue;
+    const auto oracle = std::ranges::find_if(oracles, [&](const Oracle* candidate) {
+      return candidate->info().name == row.oracle;
+    });
+    if (root.rates.contains({row.oracle, row.what}) ||
+        MayShow(root.key, row.pair, (*oracle)->info()))
+      root.rates[{row.oracle, row.what}].asked = row.count;
   }
   for (const auto& [of, rate] : root.rates) root.rate += rate;
   root.gravity = static_cast<int>(root.band) + 0.5 * std::log10(ShareOf(root.rate));
 }
 
 }  // namespace
+
+bool MayShow(const RootKey& root, const AskedPair& pair, const OracleInfo& oracle) {
+  if (!pair) return root.algorithm.empty();
+  const auto [A, B] = *pair;
+  const Capability& capability = oracle.For(A, B);
+  return capability.supported && capability.family == root.algorithm &&
+         (root.shapes.empty() || root.shapes == PairName(A, B));
+}
 
 RootKey KeyOf(const Specimen& specimen) {
   RootKey key{.library = specimen.oracle->info().library,
@@ -138,7 +166,13 @@ std::vector<Specimen> Joined(std::vector<Specimen> specimens) {
   return joined;
 }
 
-std::vector<Root> RootsOf(std::vector<Specimen> specimens) {
+bool IsOfASetting(const Root& root) {
+  const Finding& finding = root.smallest().finding;
+  return finding.shipped == Shipped::kHereOnly || finding.cause == Cause::kSetting;
+}
+
+std::vector<Root> RootsOf(std::vector<Specimen> specimens, std::span<const Asked> asked,
+                          std::span<const Oracle* const> oracles) {
   std::map<RootKey, Root> roots;
   for (Specimen& specimen : specimens) {
     if (!specimen.is_repeatable) continue;
@@ -148,10 +182,13 @@ std::vector<Root> RootsOf(std::vector<Specimen> specimens) {
   std::vector<Root> sorted;
   for (auto& [key, root] : roots) {
     root.key = key;
-    Sum(root);
+    Sum(root, asked, oracles);
     sorted.push_back(std::move(root));
   }
-  std::ranges::stable_sort(sorted, std::greater{}, &Root::gravity);
+  std::ranges::stable_sort(sorted, [](const Root& a, const Root& b) {
+    return std::pair(!IsOfASetting(a), a.gravity) >
+           std::pair(!IsOfASetting(b), b.gravity);
+  });
   return sorted;
 }
 
@@ -162,6 +199,7 @@ std::string TitleOf(const Root& root) {
       key.algorithm.empty() ? "" : fmt::format(" ({})", key.algorithm), key.failure);
   for (const std::string* const part : {&key.place, &key.shapes}) {
     if (!part->empty()) title += ": " + *part;
+    if (title.ends_with('.')) title.pop_back();
   }
   return title;
 }

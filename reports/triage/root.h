@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,10 @@ struct RootKey {
   auto operator<=>(const RootKey&) const = default;
 };
 
+/** Returns whether the answers of `oracle` to questions of `pair` may come from the code
+ of a root. All worlds may: their bodies are not known before they are made. */
+bool MayShow(const RootKey& root, const AskedPair& pair, const OracleInfo& oracle);
+
 /** Returns the key of a specimen. @pre It is repeatable. */
 RootKey KeyOf(const Specimen& specimen);
 
@@ -39,7 +44,8 @@ std::vector<Specimen> Joined(std::vector<Specimen> specimens);
 struct Root {
   RootKey key;
   std::vector<Specimen> specimens;  ///< The one of the smallest question first.
-  /** How often it was found, by oracle and by Symptom::rates. */
+  /** How often it was found, by oracle and Asked::what: in all questions whose answers by
+   an oracle that shows it may come from the code that fails. */
   std::map<std::pair<std::string, std::string>, Rate> rates;
   Rate rate;  ///< Sum of `rates`: answers, since several oracles may be asked one
               ///< question.
@@ -51,8 +57,16 @@ struct Root {
   const Specimen& smallest() const { return specimens.front(); }
 };
 
-/** Returns the roots of the repeatable specimens, those of most gravity first. */
-std::vector<Root> RootsOf(std::vector<Specimen> specimens);
+/** Returns whether the smallest question is answered rightly as the engine ships: then a
+ setting of the adapter is at fault, or decides at least. */
+bool IsOfASetting(const Root& root);
+
+/** Returns the roots of the repeatable specimens, those of most gravity first; those that
+ are of a setting come last.
+ @param asked Same as Failures::asked.
+ @param oracles Include all of `asked`. */
+std::vector<Root> RootsOf(std::vector<Specimen> specimens, std::span<const Asked> asked,
+                          std::span<const Oracle* const> oracles);
 
 /** Returns e.g. "FCL 0.7.0 (closed_form) states a wrong depth: box and sphere". */
 std::string TitleOf(const Root& root);

@@ -1,5 +1,7 @@
 #include "reports/triage/root_files.h"
 
+#include <sstream>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,14 +18,71 @@ namespace {
 /** Rows of the table of rates; the most frequent are shown. */
 constexpr std::size_t kRows = 20;
 
-/** Returns what was asked, as a sentence. */
+/** Returns `text` as a block of code in Markdown. */
+std::string CodeBlock(const std::string& text) {
+  std::string block;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    block += line.empty() ? "\n" : "    " + line + "\n";
+  return block;
+}
+
+/** Returns what was asked, in words and with its exact numbers. */
 std::string AskedOf(const Specimen& specimen) {
-  if (const auto* const world = std::get_if<WorldScenario>(&specimen.question))
-    return world->title + ".";
+  if (const auto* const world = std::get_if<WorldScenario>(&specimen.question)) {
+    WorldScenario bare = *world;
+    bare.indicts.clear();
+    return fmt::format(
+        "this world, in metres, kilograms and seconds. Sizes are halves, places are "
+        "those "
+        "of the centres, quaternions are (w, x, y, z).\n\n{}",
+        CodeBlock(TextOf(Question(bare))));
+  }
   const ScenarioResult& result = specimen.report.scenarios.front();
   const ContactQuery& query = result.scenario.contact;
-  return fmt::format("A: {}. B: {}.\n\n{}", Describe(query.A), Describe(query.B),
-                     Describe(query, result.truth));
+  return fmt::format("A: {}. B: {}.\n\n## Truth\n\n{}\n", Describe(query.A),
+                     Describe(query.B), Describe(query, result.truth));
+}
+
+/** Returns how the engine was set up: what differs from its defaults. */
+std::string SettingsPart(const Specimen& specimen) {
+  const OracleInfo& oracle = specimen.oracle->info();
+  std::string list;
+  if (std::holds_alternative<WorldScenario>(specimen.question)) {
+    const std::vector<double> values = ValuesOf(oracle.parameters, oracle.setup);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const WorldParameter& parameter = oracle.parameters[i];
+      if (values[i] == parameter.shipped) continue;
+      list += fmt::format("- {} = {}, by default {}: {}\n", parameter.name, values[i],
+                          parameter.shipped, parameter.what);
+    }
+  } else {
+    for (const Setting& setting : oracle.settings)
+      list += fmt::format("- {}: {}\n", setting.name, setting.value);
+  }
+  return list.empty() ? "" : "## Settings\n\n" + list + "\n";
+}
+
+/** Returns the size of the fault, of an answer that has one. */
+std::string ErrorOf(const Finding& finding) {
+  if (finding.verdict != Verdict::kFail || finding.measure == MeasureKind::kTouching)
+    return "";
+  return fmt::format(
+      "\n\nThe error is {:.3g}{} where {:.3g} is allowed: {}.", finding.value,
+      UnitOf(finding.measure).empty() ? "" : fmt::format(" {}", UnitOf(finding.measure)),
+      finding.tolerance, finding.tolerance_because);
+}
+
+/** Returns why the answer is wrong, as far as it is known. */
+std::string CausePart(const Finding& finding) {
+  std::string text;
+  if (finding.cause != Cause::kNone && finding.cause != Cause::kDefect &&
+      !finding.cause_because.empty())
+    text += fmt::format("{}: {}.\n\n", NameOf(finding.cause), finding.cause_because);
+  if (finding.shipped != Shipped::kNotAsked) {
+    text += fmt::format("{}: {}.\n\n", NameOf(finding.shipped), finding.shipped_because);
+  }
+  return text.empty() ? "" : "## Cause\n\n" + text;
 }
 
 /** Returns the part of a report that says what was asked and answered. */
@@ -36,12 +95,17 @@ std::string QuestionPart(const Root& root, const RootProgram& program) {
   }
   const Specimen& smallest = root.smallest();
   return fmt::format(
-      "# {}\n\n## Asked\n\n{} {}: {}\n\n## Answer and proof\n\n{}\n\n"
-      "There is no program against the library's own API: {}. With Touchstone: "
-      "`touchstone run case.toml --subject {} --against {}`.\n\n",
-      TitleOf(root), smallest.oracle->info().library, smallest.oracle->info().version,
-      AskedOf(smallest), Sentence(smallest.finding), program.reason,
-      smallest.oracle->info().name, smallest.oracle->info().name);
+      "# {title}\n\n## Asked\n\n{library} {version}: {asked}\n"
+      "{settings}## Answer and proof\n\n{proof}{error}\n\n"
+      "There is no program against the library's own API: {reason}. With Touchstone: "
+      "`touchstone run case.toml --subject {oracle} --against {oracle}`.\n\n",
+      fmt::arg("title", TitleOf(root)),
+      fmt::arg("library", smallest.oracle->info().library),
+      fmt::arg("version", smallest.oracle->info().version),
+      fmt::arg("asked", AskedOf(smallest)), fmt::arg("settings", SettingsPart(smallest)),
+      fmt::arg("proof", smallest.finding.proof),
+      fmt::arg("error", ErrorOf(smallest.finding)), fmt::arg("reason", program.reason),
+      fmt::arg("oracle", smallest.oracle->info().name));
 }
 
 std::string_view Introduction(ProgramEnding ending) {
@@ -62,17 +126,8 @@ std::string OutputPart(const RootProgram& program,
                        const std::optional<ProgramOutput>& output) {
   if (!program.files) return "";
   if (!output) return "## Output\n\nThe program has not been run.\n\n";
-  std::string block;
-  std::string line;
-  for (const char c : output->text + (output->text.ends_with('\n') ? "" : "\n")) {
-    if (c != '\n') {
-      line += c;
-      continue;
-    }
-    block += line.empty() ? "\n" : "    " + line + "\n";
-    line.clear();
-  }
-  return fmt::format("## Output\n\n{}{}\n", Introduction(output->ending), block);
+  return fmt::format("## Output\n\n{}{}\n", Introduction(output->ending),
+                     CodeBlock(output->text));
 }
 
 std::string RatePart(const Root& root) {
@@ -82,15 +137,20 @@ std::string RatePart(const Root& root) {
   std::ranges::stable_sort(rows, [](const auto& a, const auto& b) {
     return ShareOf(a.first) > ShareOf(b.first);
   });
-  std::string table = "| oracle | questions | failed |\n|---|---|---|\n";
-  for (std::size_t i = 0; i < rows.size() && i < kRows; ++i)
-    table += fmt::format("{} {} |\n", rows[i].second, ToString(rows[i].first));
-  if (rows.size() > kRows)
-    table += fmt::format("| … | {} more | |\n", rows.size() - kRows);
+  std::string table = "| asked as | questions | failed |\n|---|---|---|\n";
+  Rate others;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i < kRows && rows[i].first.failed > 0) {
+      table += fmt::format("{} {} |\n", rows[i].second, ToString(rows[i].first));
+    } else {
+      others += rows[i].first;
+    }
+  }
+  if (others.asked > 0)
+    table += fmt::format("| all | the others | {} |\n", ToString(others));
   return fmt::format(
-      "## How common\n\n{} of {} answers, {:.3g} %, to generated questions of the "
-      "families "
-      "below. Intervals are those of 95 %.\n\n{}\n",
+      "## How common\n\n{} of {} answers, {:.3g} %, to all generated questions that may "
+      "run into the same code. Intervals are those of 95 %.\n\n{}\n",
       root.rate.failed, root.rate.asked, 100 * ShareOf(root.rate), table);
 }
 
@@ -148,8 +208,9 @@ RootProgram ProgramOf(const Root& root) {
 std::string ReportOf(const Root& root, const RootProgram& program,
                      const std::optional<ProgramOutput>& output,
                      const std::vector<std::string>& known) {
-  return QuestionPart(root, program) + OutputPart(program, output) + RatePart(root) +
-         NeighbourhoodPart(root) + KnownPart(known);
+  return QuestionPart(root, program) + OutputPart(program, output) +
+         CausePart(root.smallest().finding) + RatePart(root) + NeighbourhoodPart(root) +
+         KnownPart(known);
 }
 
 }  // namespace touchstone

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "reports/sweep/sweep_file.h"
-#include "reports/triage/rate.h"
+#include "reports/sweep/tally.h"
+#include "scenarios/shape.h"
 
 namespace touchstone {
 
@@ -28,13 +31,47 @@ struct Symptom {
   Key key;
   /** The four gravest of those that the sweep has kept, the gravest first. */
   std::vector<FailedQuestion> kept;
-  /** How often it was found, by what was asked: "random, sphere and box". */
-  std::map<std::string, Rate> rates;
+  /** The number of answers that show it, by Asked::what. */
+  std::map<std::string, std::uint64_t> failed;
 };
 
-/** Returns the symptoms of a sweep, the gravest first: missing answers, then by band and
- by share. Answers that merely differ from those of other oracles are left out: alone they
- are no fault. Throws SweepFileError, also if a kept question cannot be read. */
-std::vector<Symptom> SymptomsOf(const SweepFile& file);
+/** The symptoms found so far. */
+using Symptoms = std::map<Symptom::Key, Symptom>;
+
+/** Returns `symptoms` with their keys and their four gravest questions, the gravest
+ first: missing answers, then by band and by share. Leaves out those without a question.
+ */
+std::vector<Symptom> GravestFirst(Symptoms symptoms);
+
+/** The kinds of A and B; empty for a world. */
+using AskedPair = std::optional<std::pair<ShapeKind, ShapeKind>>;
+
+/** Questions of one kind that an oracle was asked. */
+struct Asked {
+  std::string oracle;
+  std::string what;  ///< "random, sphere and box", or a family of worlds.
+  AskedPair pair;
+  std::uint64_t count = 0;
+};
+
+/** The failed answers of a sweep or a run, and the questions among which they were found.
+ */
+struct Failures {
+  std::vector<Symptom> symptoms;  ///< The GravestFirst().
+  std::vector<Asked> asked;
+  std::uint64_t failed = 0;  ///< Answers of all symptoms.
+  /** Answers that merely differ from those of other oracles: alone that is no fault, and
+   no symptom. */
+  std::uint64_t unproved = 0;
+  /** Answers of a run that did not fail when they were asked for again, alone. */
+  std::uint64_t vanished = 0;
+};
+
+/** Adds the failed answers of `tally` to symptoms of `oracle`, and counts them.
+ @param of Symptom::Key::of of its questions.
+ @param what Asked::what of its questions. */
+void AddAnswers(const OracleTally& tally, const std::string& oracle,
+                const std::string& of, const std::string& what, Symptoms& symptoms,
+                Failures& failures);
 
 }  // namespace touchstone

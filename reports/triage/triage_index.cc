@@ -21,13 +21,25 @@ std::string Escaped(const std::string& text) {
   return escaped;
 }
 
+/** Returns why it fails, if that is known, and with which settings. */
+std::string CauseOf(const Finding& finding) {
+  std::string text(finding.cause == Cause::kDefect || finding.cause == Cause::kNotExamined
+                       ? ""
+                       : NameOf(finding.cause));
+  if (finding.shipped != Shipped::kNotAsked && finding.shipped != Shipped::kBoth) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", NameOf(finding.shipped));
+  }
+  return text;
+}
+
 std::string RowOf(std::size_t number, const IndexedRoot& entry) {
   const Root& root = *entry.root;
-  return fmt::format("| {} | [{}]({}/REPORT.md) | {} | {:.3g} % | {} | {}{} | {} |\n",
-                     number, Escaped(TitleOf(root)), entry.folder, NameOf(root.band),
-                     100 * ShareOf(root.rate), fmt::join(OraclesOf(root), ", "),
-                     entry.is_fresh ? "**new since the baseline**, " : "",
-                     entry.is_new ? "not in the ledger" : "maybe known", entry.program);
+  return fmt::format(
+      "| {} | [{}]({}/REPORT.md) | {} | {:.3g} % | {} | {} | {}{} | {} |\n", number,
+      Escaped(TitleOf(root)), entry.folder, NameOf(root.band), 100 * ShareOf(root.rate),
+      fmt::join(OraclesOf(root), ", "), CauseOf(root.smallest().finding),
+      entry.is_fresh ? "**new since the baseline**, " : "",
+      entry.is_new ? "not in the ledger" : "maybe known", entry.program);
 }
 
 std::string UnrepeatablePart(const TriageIndex& index) {
@@ -61,6 +73,22 @@ std::string CountOf(const TriageIndex& index) {
                         std::ranges::count_if(index.roots, &IndexedRoot::is_fresh));
   }
   text += '.';
+  std::uint64_t covered = 0;
+  for (const IndexedRoot& entry : index.roots) covered += entry.root->rate.failed;
+  if (index.failed > 0)
+    text += fmt::format(" They have {} of {} failures.", covered, index.failed);
+  if (index.unproved > 0) {
+    text += fmt::format(
+        " {} from those of other oracles and {} not proved wrong: no root cause is "
+        "sought.",
+        Counted(index.unproved, "answer differs", "answers differ"),
+        index.unproved == 1 ? "is" : "are");
+  }
+  if (index.vanished > 0) {
+    text += fmt::format(" {} not repeated when asked for again, alone.",
+                        Counted(index.vanished, "failed answer of the run was",
+                                "failed answers of the run were"));
+  }
   if (index.left_out > 0) {
     text += fmt::format(
         " {} not examined: the time was over.",
@@ -98,16 +126,18 @@ std::string IndexPage(const TriageIndex& index) {
   std::string rows;
   for (std::size_t i = 0; i < sorted.size(); ++i) rows += RowOf(i + 1, sorted[i]);
   return fmt::format(
-      "# Root causes of {}\n\n{} The worst come first: one band weighs as much as a "
-      "hundred times the frequency.\n\n"
-      "| | root cause | gravest | of the answers | oracles | known | program |\n"
-      "|---|---|---|---|---|---|---|\n{}\n"
+      "# Root causes of {}\n\nTouchstone {} asked {}.\n\n{} The worst come first: one "
+      "band weighs as much as a hundred times the frequency. Those of a setting of the "
+      "adapter come last.\n\n"
+      "| | root cause | gravest | of the answers | oracles | cause | known | program |\n"
+      "|---|---|---|---|---|---|---|---|\n{}\n"
       "Each folder has `case.toml`, the smallest question that shows it; "
       "`original.toml`, "
       "one that the sweep asked; `REPORT.md`, a text for the library's tracker; and, "
       "where "
       "one can be written, a program against the library's own API.\n\n{}",
-      index.sweep, CountOf(index), rows, UnrepeatablePart(index));
+      index.source, TOUCHSTONE_VERSION, index.asked, CountOf(index), rows,
+      UnrepeatablePart(index));
 }
 
 std::string KeyLine(const RootKey& key) {

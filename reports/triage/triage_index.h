@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,15 +19,20 @@ struct IndexedRoot {
 
 /** The index of a triage. */
 struct TriageIndex {
-  std::string sweep;  ///< The file that was read.
-  std::vector<IndexedRoot> roots;
+  std::string source;              ///< The file that was read.
+  std::string asked;               ///< The oracles that were asked, with their versions.
+  std::uint64_t failed = 0;        ///< Same as Failures::failed.
+  std::uint64_t unproved = 0;      ///< Same as Failures::unproved.
+  std::uint64_t vanished = 0;      ///< Same as Failures::vanished.
+  std::vector<IndexedRoot> roots;  ///< In the order of RootsOf().
   std::vector<Specimen> unrepeatable;
   std::size_t left_out = 0;   ///< Symptoms that were not examined.
   bool is_search = false;     ///< Whether questions depend on the answers (--climb).
   bool has_baseline = false;  ///< Whether is_fresh means anything.
 };
 
-/** Returns index.md: a table of the roots, those that are fresh first. */
+/** Returns index.md: a table of the roots, those that are fresh first, and how many of
+ the failures they have. */
 std::string IndexPage(const TriageIndex& index);
 
 /** Returns the roots as lines for a console: rank, rate, title. */

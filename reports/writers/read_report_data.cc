@@ -126,6 +126,16 @@ Baseline FindingsIn(const DataJson& json) {
   return baseline;
 }
 
+/** Returns the texts of the questions that have one, by their ids. Throws Refused. */
+std::map<std::string, std::string> QuestionsIn(const DataJson& json) {
+  std::map<std::string, std::string> questions;
+  for (const DataJson& question : ArrayAt(json, "questions")) {
+    if (question.contains("toml"))
+      questions.emplace(TextAt(question, "id"), TextAt(question, "toml"));
+  }
+  return questions;
+}
+
 ReadReportResult Error(const std::filesystem::path& file, std::string what) {
   return {std::nullopt, {{file.string(), 1, 1, std::move(what), kExpected}}};
 }
@@ -139,6 +149,8 @@ ReadReportResult ReadReport(std::string bytes, const std::filesystem::path& file
   try {
     const DataJson& json = unpacked.file->json;
     ReadReportData data{.baseline = FindingsIn(json),
+                        .questions = QuestionsIn(json),
+                        .oracles = NamesIn(ArrayAt(json, "oracles"), "name"),
                         .command = TextAt(json, "command"),
                         .bytes = std::move(bytes)};
     return {std::move(data), {}};

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,9 @@ inline constexpr std::size_t kMostReportData = std::size_t{1} << 27;
 /** The parts of a report's data that this program uses. */
 struct ReadReportData {
   Baseline baseline;    ///< The findings, each with its rounding.
+  /** The text of the file of each question, by its id. */
+  std::map<std::string, std::string> questions;
+  std::vector<std::string> oracles;  ///< Their names, in the order of the run.
   std::string command;  ///< The command that made the run.
   std::string bytes;    ///< The data as read, deflated, for WritePage().
 };

@@ -76,7 +76,7 @@ list(APPEND own_rules
   "reports/shrink/ => reports/((text|finding|writers)/|contacts/body_size[.]h|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/oracle[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
   "reports/reproduce/ => reports/(clusters/measure_words[.]h|(text|finding|referee|writers|worlds/truth)/|contacts/contact_result[.]h|worlds/(study/world_result|law_support/(overlap|subjects)|laws/laws)[.]h)|oracles/(oracle|trajectory|world_setup)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
   "reports/adapter_check/ => reports/((finding|referee)/|contacts/judge_answer[.]h)|oracles/(isolation/answer_wire|contact_answer|oracle|trajectory)[.]h|scenarios/(generators/generate[.]h|[a-z_]+[.]h|worlds/world[.]h)"
-  "reports/triage/ => reports/((text|finding|clusters|shrink|sweep|reproduce|writers)/|contacts/judge_variant[.]h|run(_report)?[.]h)|oracles/oracle[.]h|scenarios/(scenario_file|scenario)[.]h"
+  "reports/triage/ => reports/((text|finding|clusters|shrink|sweep|reproduce|writers)/|contacts/judge_variant[.]h|ledger/glob[.]h|run(_report)?[.]h)|oracles/oracle[.]h|scenarios/(scenario_file|scenario|shape)[.]h"
   "reports/gtest/ => reports/((shrink|sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|sweep/question_id[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry|protocol/(command|external_oracle|oracles_file))[.]h|scenarios/"

@@ -731,7 +731,16 @@ TEST_F(CommandLineTest, FindsTheRootCausesOfASweep) {
                                HasSubstr("threw std::runtime_error: out of spheres")));
   const std::string index = TextOf(Path("night/triage/index.md"));
   EXPECT_THAT(index, AllOf(HasSubstr("| 1 | ["), HasSubstr("| 2 | ["),
-                           HasSubstr("half_depth"), Not(HasSubstr("right"))));
+                           HasSubstr("| half_depth |"), Not(HasSubstr("| right"))));
+  const Ended one = Touchstone("triage --no-programs --subject thrower --out " +
+                               Path("one") + " " + Path("night"));
+  EXPECT_EQ(one.code, 1) << one.err;
+  EXPECT_THAT(one.out, HasSubstr("1 root cause. They have 30 of 30 failures."));
+  const Ended unasked =
+      Touchstone("triage --subject drifter --out " + Path("two") + " " + Path("night"));
+  EXPECT_EQ(unasked.code, 2);
+  EXPECT_THAT(unasked.err,
+              HasSubstr("was not asked; expected one of half_depth, thrower, right"));
   // The same again is nothing new.
   const Ended again = Touchstone("triage --no-programs " + Path("night") + " --out " +
                                  Path("again") + " --baseline " + Path("night/triage"));
@@ -747,6 +756,33 @@ TEST_F(CommandLineTest, FindsTheRootCausesOfASweep) {
   EXPECT_THAT(none.err, HasSubstr("nothing"));
   EXPECT_EQ(Touchstone("triage " + Path("night") + " --baseline " + Path("nothing")).code,
             2);
+}
+
+TEST_F(CommandLineTest, FindsTheRootCausesOfARun) {
+  const std::string deep = Path("mine/deep.toml");
+  Touchstone("run --subject half_depth --against right " + deep + " --quiet --out " +
+             Path("run"));
+  const Ended ended = Touchstone("triage --no-programs " + Path("run"));
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("1 root cause. They have 1 of 1 failures."),
+                               HasSubstr("100 %"), HasSubstr("wrong depth")));
+  const Ended none = Touchstone("triage --no-programs --subject right --out " +
+                                Path("none") + " " + Path("run"));
+  EXPECT_EQ(none.code, 0) << none.err;
+  EXPECT_THAT(none.out, HasSubstr("0 root causes."));
+  const Ended neither = Touchstone("triage " + Path("mine"));
+  EXPECT_EQ(neither.code, 2);
+  EXPECT_THAT(neither.err, HasSubstr("has neither sweep.sqlite nor report.data"));
+}
+
+TEST_F(CommandLineTest, SaysThatASweepToTriageIsNotFinished) {
+  Touchstone(
+      "sweep contact --subject half_depth --family random --pair sphere sphere --count "
+      "10000000 --time 1s --quiet --out " +
+      Path("begun"));
+  const Ended ended = Touchstone("triage " + Path("begun"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("its sweep is not finished; expected the same"));
 }
 
 TEST_F(CommandLineTest, WritesThePageOfASweepOfWorlds) {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "oracles/no_answer.h"
+#include "reports/measures/contact_surface_error.h"
 #include "reports/referee/referee.h"
 
 namespace touchstone {
@@ -19,6 +21,32 @@ Capability Everything() {
   return capability;
 }
 
+/** Returns points that span the true patch: its corners, drawn to the middle in steps of
+ 2 % until both bodies reach there, since the polygon around a disc is 2 % wider. A rim
+ and an edge meet in a point whose place along the edge is known to the root of a rounding
+ only: there may be none. */
+std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
+                                         const ContactTruth& truth,
+                                         const Eigen::Vector3d& n_W, double separation) {
+  const double e = 16 * 0x1p-53 * SceneSize(query);
+  const double reached = 2 * e + truth.input_rounding;
+  const ContactPatch patch = PatchAlong(query, n_W, separation, e);
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& corner : patch.vertices_W)
+    middle += corner / static_cast<double>(patch.vertices_W.size());
+  std::vector<Eigen::Vector3d> points;
+  for (const Eigen::Vector3d& corner : patch.vertices_W) {
+    for (const double drawn : {1.0, 0.98, 0.96, 0.94, 0.92, 0.9}) {
+      const Eigen::Vector3d p_W = middle + drawn * (corner - middle);
+      const WitnessPoints on = SurfacePointsOf({p_W, separation, {}}, n_W);
+      if (SurfaceError(query, on) > reached) continue;
+      points.push_back(p_W);
+      break;
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
 ContactAnswer RightAnswer(const ContactQuery& query) {
@@ -34,11 +62,11 @@ ContactAnswer RightAnswer(const ContactQuery& query) {
     answer.witnesses = {truth.certificate.p_WCa, truth.certificate.p_WCb};
     return answer;
   }
-  const ContactPatch patch =
-      PatchAlong(query, *answer.n_AB_W, separation, 16 * 0x1p-53 * SceneSize(query));
-  for (const Eigen::Vector3d& p_WC : patch.vertices_W) {
+  for (const Eigen::Vector3d& p_WC :
+       PatchPoints(query, truth, *answer.n_AB_W, separation))
     answer.points.push_back({p_WC, separation, {}});
-  }
+  if (answer.points.empty())
+    return UnsupportedAnswer("the place of the contact is not known well enough");
   return answer;
 }
 

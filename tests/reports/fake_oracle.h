@@ -8,7 +8,8 @@
 namespace touchstone {
 
 /** Returns the right answer to `query`, made from the certified truth. It has every field
- that an oracle can return, and contacts at all corners of the true patch. */
+ that an oracle can return, and contacts that span the true patch. Unsupported if no point
+ of the patch is known well enough. */
 ContactAnswer RightAnswer(const ContactQuery& query);
 
 /** An oracle made from a function, so that tests can plant an error. */

@@ -1,7 +1,9 @@
 #include "tests/reports/triage/boxes_and_balls.h"
 
+#include <map>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "reports/finding/ending.h"
@@ -44,12 +46,36 @@ Symptom SymptomIn(const Scenario& scenario, const Oracle& oracle) {
   kind.cause = finding.cause;
   kind.ending = ending;
   failure.scenario = TextOf(scenario);
-  symptom.rates.emplace("random, box and sphere", Rate{5, 100});
+  symptom.failed.emplace("random, box and sphere", 5);
   return symptom;
 }
 
 Specimen SmallestIn(const Scenario& scenario, const Oracle& oracle) {
   return Smallest(AskAgain(SymptomIn(scenario, oracle), oracle), {});
+}
+
+std::vector<Root> RootsAmongBoxesAndBalls(std::vector<Specimen> specimens) {
+  std::map<std::string, const Oracle*> oracles;
+  for (const Specimen& specimen : specimens) {
+    if (specimen.oracle != nullptr)
+      oracles.emplace(specimen.oracle->info().name, specimen.oracle);
+  }
+  std::vector<Asked> asked;
+  std::vector<const Oracle*> subjects;
+  for (const auto& [name, oracle] : oracles) {
+    subjects.push_back(oracle);
+    for (const char* const family : {"random", "deep"}) {
+      asked.push_back({.oracle = name,
+                       .what = fmt::format("{}, box and sphere", family),
+                       .pair = {{ShapeKind::kBox, ShapeKind::kSphere}},
+                       .count = 100});
+    }
+    asked.push_back({.oracle = name,
+                     .what = std::string("random, box and cone"),
+                     .pair = {{ShapeKind::kBox, ShapeKind::kCone}},
+                     .count = 50});
+  }
+  return RootsOf(std::move(specimens), asked, subjects);
 }
 
 }  // namespace touchstone

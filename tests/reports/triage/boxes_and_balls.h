@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "reports/triage/examine.h"
+#include "reports/triage/root.h"
 #include "scenarios/scenario.h"
 
 namespace touchstone {
@@ -16,5 +18,9 @@ Symptom SymptomIn(const Scenario& scenario, const Oracle& oracle);
 
 /** Returns the smallest question found for that symptom. */
 Specimen SmallestIn(const Scenario& scenario, const Oracle& oracle);
+
+/** Returns the roots of `specimens` among 100 questions of a box and a sphere of each of
+ the families random and deep, and 50 of a box and a cone. */
+std::vector<Root> RootsAmongBoxesAndBalls(std::vector<Specimen> specimens);
 
 }  // namespace touchstone

@@ -18,7 +18,7 @@ class TriageIndexTest : public testing::Test {
     const Scenario question = BoxAnd(Sphere{0.5}, {1.3, 0.1, 0.2});
     for (const Oracle* const oracle : {&deep_, &shallow_})
       specimens_.push_back(SmallestIn(question, *oracle));
-    roots_ = RootsOf(specimens_);
+    roots_ = RootsAmongBoxesAndBalls(specimens_);
   }
 
   const FakeOracle deep_ =
@@ -34,7 +34,10 @@ class TriageIndexTest : public testing::Test {
 
 TEST_F(TriageIndexTest, ListsWhatIsNewSinceTheBaselineFirst) {
   ASSERT_EQ(roots_.size(), 2U);
-  const TriageIndex index{.sweep = "night/sweep.sqlite",
+  const TriageIndex index{.source = "night/sweep.sqlite",
+                          .asked = "deep (Lib 1.2)",
+                          .failed = 12,
+                          .unproved = 1,
                           .roots = {{.root = &roots_[0], .folder = "old"},
                                     {.root = &roots_[1],
                                      .folder = "fresh",
@@ -46,11 +49,13 @@ TEST_F(TriageIndexTest, ListsWhatIsNewSinceTheBaselineFirst) {
   const std::string page = IndexPage(index);
   EXPECT_THAT(page, testing::Not(HasSubstr("ended early")));
   EXPECT_LT(page.find("(fresh/REPORT.md)"), page.find("(old/REPORT.md)"));
-  EXPECT_THAT(page,
-              AllOf(HasSubstr("2 root causes, 1 of them new since the baseline."),
-                    HasSubstr("3 kinds of failure were not examined: the time was over."),
-                    HasSubstr("**new since the baseline**, not in the ledger"),
-                    HasSubstr("## Not repeated")));
+  EXPECT_THAT(
+      page, AllOf(HasSubstr("2 root causes, 1 of them new since the baseline."),
+                  HasSubstr("3 kinds of failure were not examined: the time was over."),
+                  HasSubstr("**new since the baseline**, not in the ledger"),
+                  HasSubstr("## Not repeated"), HasSubstr("asked deep (Lib 1.2)."),
+                  HasSubstr("They have 10 of 12 failures."),
+                  HasSubstr("1 answer differs from those of other oracles and is not")));
 }
 
 TEST_F(TriageIndexTest, SaysThatRatesOfASearchSayNothing) {

@@ -1,4 +1,6 @@
-#include "reports/triage/symptom.h"
+#include "reports/triage/sweep_failures.h"
+
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -9,8 +11,8 @@
 namespace touchstone {
 namespace {
 
-/** Returns the symptoms of a sweep over spheres and boxes in both orders. */
-std::vector<Symptom> SymptomsOfASweep(const std::vector<const Oracle*>& subjects) {
+/** Returns the failures of a sweep over spheres and boxes in both orders. */
+Failures FailuresOfASweep(const std::vector<const Oracle*>& subjects) {
   SweepPlan plan;
   plan.subjects = subjects;
   for (const Family family : {Family::kRandom, Family::kDeep}) {
@@ -22,7 +24,9 @@ std::vector<Symptom> SymptomsOfASweep(const std::vector<const Oracle*>& subjects
   }
   SweepFile file = SweepFile::Create(":memory:", SettingsOf(plan), SweepJournal::kNone);
   Sweep(plan, file, {});
-  return SymptomsOf(file);
+  std::set<std::string> names;
+  for (const Oracle* const oracle : subjects) names.insert(oracle->info().name);
+  return FailuresOf(file, names);
 }
 
 TEST(Symptoms, JoinFamiliesAndBothOrdersOfAPair) {
@@ -30,18 +34,24 @@ TEST(Symptoms, JoinFamiliesAndBothOrdersOfAPair) {
       FakeOracle::Wrong("deep", [](const ContactQuery&, ContactAnswer& answer) {
         if (answer.separation && answer.touching) *answer.separation *= 2;
       });
-  const std::vector<Symptom> symptoms = SymptomsOfASweep({&deep});
-  ASSERT_FALSE(symptoms.empty());
+  const Failures failures = FailuresOfASweep({&deep});
+  ASSERT_FALSE(failures.symptoms.empty());
   std::uint64_t failed = 0;
-  for (const Symptom& symptom : symptoms) {
+  for (const Symptom& symptom : failures.symptoms) {
     EXPECT_EQ(symptom.key.oracle, "deep");
     EXPECT_EQ(symptom.key.of, "box, sphere");
     EXPECT_FALSE(symptom.kept.empty());
-    for (const auto& [asked, rate] : symptom.rates) {
-      EXPECT_EQ(rate.asked, 40U);
-      EXPECT_LE(rate.failed, 40U);
-      failed += rate.failed;
+    for (const auto& [asked, count] : symptom.failed) {
+      EXPECT_LE(count, 40U);
+      failed += count;
     }
+  }
+  EXPECT_EQ(failed, failures.failed);
+  EXPECT_EQ(failures.asked.size(), 4U);
+  for (const Asked& asked : failures.asked) {
+    EXPECT_EQ(asked.oracle, "deep");
+    EXPECT_EQ(asked.count, 40U);
+    EXPECT_TRUE(asked.pair);
   }
   EXPECT_GT(failed, 80U);  // All of the deep ones.
 }
@@ -58,7 +68,7 @@ TEST(Symptoms, TellCrashesApartAndPutThemFirst) {
     *answer.separation *= 2;
     return answer;
   });
-  const std::vector<Symptom> symptoms = SymptomsOfASweep({&crashing});
+  const std::vector<Symptom> symptoms = FailuresOfASweep({&crashing}).symptoms;
   ASSERT_GE(symptoms.size(), 3U);
   EXPECT_NE(symptoms[0].key.ending, "");
   EXPECT_NE(symptoms[1].key.ending, "");
@@ -73,7 +83,7 @@ TEST(Symptoms, TellAMissedContactFromAFalseOne) {
       });
   int missed = 0;
   int invented = 0;
-  for (const Symptom& symptom : SymptomsOfASweep({&blind})) {
+  for (const Symptom& symptom : FailuresOfASweep({&blind}).symptoms) {
     if (symptom.key.measure != MeasureKind::kTouching) continue;
     (symptom.key.touching ? missed : invented) += 1;
   }
@@ -83,7 +93,10 @@ TEST(Symptoms, TellAMissedContactFromAFalseOne) {
 
 TEST(Symptoms, OfRightAnswersAreNone) {
   const FakeOracle right("right");
-  EXPECT_TRUE(SymptomsOfASweep({&right}).empty());
+  const Failures failures = FailuresOfASweep({&right});
+  EXPECT_TRUE(failures.symptoms.empty());
+  EXPECT_EQ(failures.failed, 0U);
+  EXPECT_EQ(failures.asked.size(), 4U);
 }
 
 }  // namespace

@@ -1,0 +1,122 @@
+#include "cli/commands/read_failures.h"
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/input_error.h"
+#include "cli/select_oracles.h"
+#include "reports/sweep/sweep_file.h"
+#include "reports/triage/run_failures.h"
+#include "reports/triage/sweep_failures.h"
+#include "reports/writers/read_report_data.h"
+
+namespace touchstone {
+namespace {
+
+constexpr const char* kRunData = "report.data";
+constexpr const char* kSweep = "sweep.sqlite";
+
+/** Throws InputError if the oracles of this program are not set up as those of the sweep,
+ which would be asked other questions. */
+void RequireSameOracles(const SweepFile& file,
+                        const std::vector<const Oracle*>& subjects) {
+  SweepPlan plan;
+  plan.subjects = subjects;
+  const std::string now = SettingsOf(plan).values.at("subjects");
+  const auto subjects_then = file.settings().values.find("subjects");
+  const std::string then =
+      subjects_then == file.settings().values.end() ? "" : subjects_then->second;
+  if (now == then) return;
+  throw InputError(
+      fmt::format("{}: it asked {}, not {}; expected the same versions and settings",
+                  file.file().string(), then, now));
+}
+
+/** Returns the names of those `asked` that `list` names, all of them if it is empty.
+ Throws InputError if there are none. */
+std::set<std::string> Wanted(const Session& session,
+                             const std::vector<std::string>& asked,
+                             const std::string& list) {
+  if (list.empty()) return {asked.begin(), asked.end()};
+  std::set<std::string> wanted;
+  for (const Oracle* const oracle :
+       SubjectsNamed(session.registry, list, QuestionKind::kContact)) {
+    if (std::ranges::find(asked, oracle->info().name) != asked.end())
+      wanted.insert(oracle->info().name);
+  }
+  if (!wanted.empty()) return wanted;
+  throw InputError(fmt::format("--subject {}: was not asked; expected one of {}", list,
+                               fmt::join(asked, ", ")));
+}
+
+FoundFailures OfSweep(const Session& session, const std::filesystem::path& path,
+                      const std::string& wanted) {
+  const SweepFile file = SweepFile::Open(path);
+  FoundFailures found;
+  for (const std::string& name : file.settings().subjects)
+    found.oracles.push_back(&OracleNamed(session.registry, name));
+  RequireSameOracles(file, found.oracles);
+  found.failures = FailuresOf(file, Wanted(session, file.settings().subjects, wanted));
+  found.asked = file.settings().values.at("subjects");
+  found.is_search = std::ranges::any_of(file.settings().series, IsSearch);
+  return found;
+}
+
+FoundFailures OfRun(const Session& session, const std::filesystem::path& path,
+                    const std::string& wanted, const ParallelWork& work) try {
+  const ReadReportResult read = ReadReportFile(path);
+  if (!read.data) throw InputError(ToString(read.diagnostics.front()));
+  FoundFailures found;
+  std::vector<std::string> asked;
+  for (const std::string& name : read.data->oracles) {
+    const Oracle& oracle = OracleNamed(session.registry, name);
+    found.oracles.push_back(&oracle);
+    asked.push_back(
+        fmt::format("{} ({} {})", name, oracle.info().library, oracle.info().version));
+  }
+  found.asked = fmt::format("{}", fmt::join(asked, "; "));
+  const RunQuestions questions =
+      QuestionsOf(*read.data, Wanted(session, read.data->oracles, wanted));
+  std::vector<OracleTally> again(questions.failed.size());
+  ForEachInParallel(work, again.size(), [&](std::size_t i) {
+    const FailedAnswer& answer = questions.failed[i];
+    again[i] = AskAgain(answer, OracleNamed(session.registry, answer.oracle));
+  });
+  found.failures = FailuresOf(questions, again);
+  return found;
+} catch (const UnreadableQuestion& error) {
+  throw InputError(error.what());
+}
+
+}  // namespace
+
+std::filesystem::path FailuresFileIn(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) return path;
+  for (const char* const name : {kSweep, kRunData}) {
+    if (std::filesystem::exists(path / name, error)) return path / name;
+  }
+  if (std::filesystem::exists(path / "sweep.unfinished.sqlite", error)) {
+    throw InputError(fmt::format(
+        "{}: its sweep is not finished; expected the same `touchstone sweep` once more, "
+        "which goes on where it stopped",
+        path.string()));
+  }
+  throw InputError(fmt::format(
+      "{}: has neither {} nor {}; expected the folder of `touchstone sweep --out` or "
+      "`touchstone run --out`",
+      path.string(), kSweep, kRunData));
+}
+
+FoundFailures ReadFailures(const Session& session, const std::filesystem::path& file,
+                           const std::string& wanted, const ParallelWork& work) {
+  return file.extension() == ".data" ? OfRun(session, file, wanted, work)
+                                     : OfSweep(session, file, wanted);
+}
+
+}  // namespace touchstone

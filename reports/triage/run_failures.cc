@@ -1,0 +1,120 @@
+#include "reports/triage/run_failures.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "reports/clusters/shares.h"
+#include "reports/shrink/shrink.h"
+#include "reports/sweep/count_answer.h"
+#include "reports/writers/outcome.h"
+#include "scenarios/scenario_file.h"
+
+namespace touchstone {
+namespace {
+
+Question QuestionIn(const std::string& id, const std::string& text) {
+  ReadResult read = ReadScenario(text, id);
+  if (read.world) return std::move(*read.world);
+  if (read.scenario) return std::move(*read.scenario);
+  throw UnreadableQuestion(
+      fmt::format("{}; expected the report of a run by this version of Touchstone",
+                  ToString(read.diagnostics.front())));
+}
+
+/** Returns Symptom::Key::of the question. */
+std::string SubjectOf(const Question& question) {
+  const auto* const scenario = std::get_if<Scenario>(&question);
+  if (scenario == nullptr) return "worlds";
+  const auto [first, second] = std::minmax(NameOf(KindOf(scenario->contact.A.shape)),
+                                           NameOf(KindOf(scenario->contact.B.shape)));
+  return fmt::format("{}, {}", first, second);
+}
+
+/** Returns Asked::what and Asked::pair of the question. */
+Asked AskedOf(const Question& question) {
+  const auto* const scenario = std::get_if<Scenario>(&question);
+  if (scenario == nullptr) return {.oracle = {}, .what = "worlds", .pair = {}};
+  const std::pair pair(KindOf(scenario->contact.A.shape),
+                       KindOf(scenario->contact.B.shape));
+  return {.oracle = {},
+          .what = fmt::format("{} and {}", NameOf(pair.first), NameOf(pair.second)),
+          .pair = pair};
+}
+
+}  // namespace
+
+RunQuestions QuestionsOf(const ReadReportData& run,
+                         const std::set<std::string>& oracles) {
+  std::set<std::pair<std::string, std::string>> failed;
+  std::set<std::pair<std::string, std::string>> answered;
+  for (const auto& [cell, measured] : run.baseline.cells) {
+    if (measured.verdict != Verdict::kUnsupported)
+      answered.emplace(cell.scenario, cell.oracle);
+    if (IsFailure(measured.verdict) && measured.verdict != Verdict::kDisagree)
+      failed.emplace(cell.scenario, cell.oracle);
+  }
+  for (const auto& [scenario, oracle] : failed) {
+    if (run.questions.contains(scenario)) continue;
+    throw UnreadableQuestion(fmt::format(
+        "the report has no text of {}; expected one of `touchstone run --out` "
+        "of this version",
+        scenario));
+  }
+  RunQuestions questions;
+  std::map<std::pair<std::string, std::string>, Asked> asked;
+  for (const auto& [id, text] : run.questions) {
+    const Question question = QuestionIn(id, text);
+    Asked row = AskedOf(question);
+    for (const std::string& oracle : oracles) {
+      if (!answered.contains({id, oracle})) continue;
+      row.oracle = oracle;
+      ++asked.try_emplace({oracle, row.what}, row).first->second.count;
+      if (failed.contains({id, oracle})) questions.failed.push_back({question, oracle});
+    }
+  }
+  for (auto& [of, row] : asked) questions.asked.push_back(std::move(row));
+  return questions;
+}
+
+OracleTally AskAgain(const FailedAnswer& answer, const Oracle& oracle) {
+  const RunReport report = AskAlone(answer.question, oracle);
+  const std::vector<double> shares = SharesOf(report, PlacesOf(report));
+  bool touching = false;
+  bool undecided = false;
+  if (!report.scenarios.empty()) {
+    touching = report.scenarios.front().truth.touching == Touching::kTouching;
+    undecided = report.scenarios.front().truth.touching == Touching::kUndecided;
+  }
+  OracleTally tally;
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  CountAnswer(
+      {.question = 0,
+       .outcome = outcomes.front(),
+       .touching = touching,
+       .undecided = undecided,
+       .share_of =
+           [&](const Finding& finding) {
+             return shares[static_cast<std::size_t>(&finding - report.findings.data())];
+           },
+       .write = [&] { return TextOf(answer.question); }},
+      tally);
+  return tally;
+}
+
+Failures FailuresOf(const RunQuestions& run, std::span<const OracleTally> again) {
+  Failures failures{.symptoms = {}, .asked = run.asked};
+  Symptoms symptoms;
+  for (std::size_t i = 0; i < run.failed.size(); ++i) {
+    const Question& question = run.failed[i].question;
+    AddAnswers(again[i], run.failed[i].oracle, SubjectOf(question),
+               AskedOf(question).what, symptoms, failures);
+    if (again[i].failures.empty()) ++failures.vanished;
+  }
+  failures.symptoms = GravestFirst(std::move(symptoms));
+  return failures;
+}
+
+}  // namespace touchstone

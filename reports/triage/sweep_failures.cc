@@ -1,0 +1,71 @@
+#include "reports/triage/sweep_failures.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "scenarios/scenario_file.h"
+
+namespace touchstone {
+namespace {
+
+/** Returns the two shapes of a pair, whatever their order, or the family of worlds. */
+std::string SubjectOf(const Series& series) {
+  const auto* const contacts = std::get_if<QuestionSeries>(&series);
+  if (contacts == nullptr)
+    return std::string(NameOf(std::get<WorldSeries>(series).family));
+  const auto [first, second] = std::minmax(NameOf(contacts->A), NameOf(contacts->B));
+  return fmt::format("{}, {}", first, second);
+}
+
+/** Returns the family, and the pair in its order. */
+std::string AskedOf(const Series& series) {
+  const auto* const contacts = std::get_if<QuestionSeries>(&series);
+  if (contacts == nullptr)
+    return std::string(NameOf(std::get<WorldSeries>(series).family));
+  return fmt::format("{}, {} and {}", NameOf(contacts->family), NameOf(contacts->A),
+                     NameOf(contacts->B));
+}
+
+AskedPair PairOf(const Series& series) {
+  const auto* const contacts = std::get_if<QuestionSeries>(&series);
+  if (contacts == nullptr) return std::nullopt;
+  return std::pair(contacts->A, contacts->B);
+}
+
+void RequireReadable(const FailedQuestion& failure, const SweepFile& file) {
+  const ReadResult read = ReadScenario(failure.scenario, file.file().string());
+  if (read.scenario || read.world) return;
+  throw SweepFileError(
+      fmt::format("{}: damaged: a kept question cannot be read; expected a file that "
+                  "`touchstone sweep` wrote",
+                  file.file().string()));
+}
+
+}  // namespace
+
+Failures FailuresOf(const SweepFile& file, const std::set<std::string>& oracles) {
+  const SweepSettings& settings = file.settings();
+  Failures result;
+  Symptoms symptoms;
+  for (std::size_t s = 0; s < settings.series.size(); ++s) {
+    const Series& series = settings.series[s];
+    const SeriesTally tally = file.Read(s);
+    for (std::size_t o = 0; o < tally.oracles.size(); ++o) {
+      if (!oracles.contains(settings.subjects[o])) continue;
+      const OracleTally& of_oracle = tally.oracles[o];
+      AddAnswers(of_oracle, settings.subjects[o], SubjectOf(series), AskedOf(series),
+                 symptoms, result);
+      result.asked.push_back(
+          {settings.subjects[o], AskedOf(series), PairOf(series), of_oracle.asked});
+    }
+  }
+  for (const auto& [key, symptom] : symptoms) {
+    for (const FailedQuestion& failure : symptom.kept) RequireReadable(failure, file);
+  }
+  result.symptoms = GravestFirst(std::move(symptoms));
+  return result;
+}
+
+}  // namespace touchstone
