@@ -88,9 +88,8 @@ std::string RatePart(const Root& root) {
   if (rows.size() > kRows)
     table += fmt::format("| … | {} more | |\n", rows.size() - kRows);
   return fmt::format(
-      "## How common\n\n{} of {} answers, {:.3g} %, to generated questions of the "
-      "families "
-      "below. Intervals are those of 95 %.\n\n{}\n",
+      "## How common\n\n{} of {} answers, {:.3g} %, to the questions of the families "
+      "and files below. Intervals are those of 95 %.\n\n{}\n",
       root.rate.failed, root.rate.asked, 100 * ShareOf(root.rate), table);
 }
 

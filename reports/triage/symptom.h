@@ -28,7 +28,8 @@ struct Symptom {
   Key key;
   /** The four gravest of those that the sweep has kept, the gravest first. */
   std::vector<FailedQuestion> kept;
-  /** How often it was found, by what was asked: "random, sphere and box". */
+  /** How often it was found, by what was asked: "random, sphere and box" or
+   "the file poses.csv, sphere and box". */
   std::map<std::string, Rate> rates;
 };
 
