@@ -145,7 +145,7 @@ question a row, whose first line names the columns,
     A.shape,A.radius,B.shape,B.half_extents.x,B.half_extents.y,B.half_extents.z,B.position.z
     sphere,0.5,box,1,1,0.2,-0.69
 in metres, with quaternions as A.quaternion.w, .x, .y and .z (docs/contact_table.md has all columns),
-or scenario files. A changed table is another sweep: it neither resumes nor merges.
+or scenario files, or the report.jsonl of a run. A changed table is another sweep: it neither resumes nor merges.
 
 With --out, the results are kept in DIR/sweep.unfinished.sqlite while they are computed. The same
 command goes on after Ctrl-C, --time, or a kill, and ends with the same DIR/sweep.sqlite, whatever

@@ -458,10 +458,11 @@ class CommandLine {
         ->allow_extra_args(false);
     // SQLite has signed numbers.
     constexpr auto kMost = std::uint64_t{1} << 62;
-    app->add_option("--from", sweep_.from,
-                    "ask the contact questions of these files instead of generated ones: "
-                    "a table of poses (*.csv, docs/contact_table.md), a scenario file or "
-                    "a folder of them")
+    app->add_option(
+           "--from", sweep_.from,
+           "ask the contact questions of these files instead of generated ones: "
+           "a table of poses (*.csv, docs/contact_table.md), the report.jsonl of "
+           "a run, a scenario file or a folder of them")
         ->type_name("FILE...");
     app->add_option("--count", sweep_.count,
                     "number of questions per family or file, and per pair of shapes "

@@ -11,7 +11,7 @@ namespace touchstone {
 
 /** The contact questions in a file that are about one pair of shapes, in its order. */
 struct FileSeries {
-  /** The path that the user gave: a table, a scenario file, or a folder of such files. */
+  /** The path that the user gave: a table, a report, or a scenario file or folder. */
   std::string file;
   std::string digest;  ///< DigestOf() all questions in the file, whatever their shapes.
   ShapeKind A = ShapeKind::kBox;

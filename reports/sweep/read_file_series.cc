@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "reports/sweep/report_questions.h"
 #include "reports/text/counted.h"
 #include "scenarios/contact_table.h"
 #include "scenarios/scenario_file.h"
@@ -23,6 +24,13 @@ ReadQuestions QuestionsInTable(const std::string& file) {
   ReadQuestions read{.scenarios = std::move(table.scenarios)};
   if (table.error) read.errors.push_back(std::move(*table.error));
   if (table.note) read.notes.push_back(std::move(*table.note));
+  return read;
+}
+
+ReadQuestions QuestionsInReport(const std::string& file) {
+  ReportQuestions report = ReadReportQuestions(file);
+  ReadQuestions read{.scenarios = std::move(report.scenarios)};
+  if (report.error) read.errors.push_back(std::move(*report.error));
   return read;
 }
 
@@ -47,8 +55,9 @@ ReadQuestions QuestionsInScenarioFiles(const std::string& file) {
 }  // namespace
 
 FileOfQuestions ReadFileSeries(const std::string& file) {
-  ReadQuestions read =
-      file.ends_with(".csv") ? QuestionsInTable(file) : QuestionsInScenarioFiles(file);
+  ReadQuestions read = file.ends_with(".csv")     ? QuestionsInTable(file)
+                       : file.ends_with(".jsonl") ? QuestionsInReport(file)
+                                                  : QuestionsInScenarioFiles(file);
   FileOfQuestions result{
       .series = {}, .errors = std::move(read.errors), .notes = std::move(read.notes)};
   if (!result.errors.empty()) return result;

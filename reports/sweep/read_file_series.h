@@ -17,8 +17,8 @@ struct FileOfQuestions {
   std::vector<Diagnostic> notes;  ///< These are not errors.
 };
 
-/** Reads a table of questions, whose name ends with ".csv", or a scenario file, or a
- folder with scenario files. Worlds in them are left out with a note. */
+/** Reads a table of questions (".csv"), the report of a run (".jsonl"), or a scenario
+ file or folder of them. Worlds in them are left out with a note. */
 FileOfQuestions ReadFileSeries(const std::string& file);
 
 }  // namespace touchstone
