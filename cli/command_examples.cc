@@ -131,10 +131,9 @@ position, orientation, velocity and angular velocity, in SI units and the world 
     {"sweep", R"(
 
 Generates questions from a seed, or reads yours, and judges the answers of the subjects, without
-a ledger.
-Contact questions are judged against the certified truth. Worlds are small simulations; their
-motions are judged by the laws that the family claims and by those of every motion. Prints one
-row per family, shape pair and subject: the fraction that touches or that was verified, the
+a ledger. Contact questions are judged against the certified truth. Worlds are small simulations;
+their motions are judged by the laws that the family claims and by those of every motion. Prints
+one row per family, shape pair and subject: the fraction that touches or that was verified, the
 failures, and the worst measures relative to their tolerances. Then prints the failures by
 measure, law and cause, with commands that repeat them; for a single subject also proofs, next
 to the answers of the references. Contact questions without --pair are of every shape pair that
@@ -142,10 +141,11 @@ a subject supports.
 
 With --from, the questions are yours, e.g. poses of a simulation or a robot: a CSV table with one
 question a row, whose first line names the columns,
-    A.shape,A.radius,B.shape,B.half_extents.x,B.half_extents.y,B.half_extents.z,B.position.z
-    sphere,0.5,box,1,1,0.2,-0.69
-in metres, with quaternions as A.quaternion.w, .x, .y and .z (docs/contact_table.md has all columns),
-or scenario files, or the report.jsonl of a run. A changed table is another sweep: it neither resumes nor merges.
+    A.shape,A.radius,B.shape,B.radius,B.position.x,B.position.y,B.position.z
+    sphere,0.5,sphere,0.4,0,0,0.89
+in metres, with quaternions as A.quaternion.w, .x, .y and .z (docs/contact_table.md has all
+columns), or scenario files, or the report.jsonl of a run. A changed table is another sweep: it
+neither resumes nor merges.
 
 With --out, the results are kept in DIR/sweep.unfinished.sqlite while they are computed. The same
 command goes on after Ctrl-C, --time, or a kill, and ends with the same DIR/sweep.sqlite, whatever

@@ -463,7 +463,7 @@ class CommandLine {
            "ask the contact questions of these files instead of generated ones: "
            "a table of poses (*.csv, docs/contact_table.md), the report.jsonl of "
            "a run, a scenario file or a folder of them")
-        ->type_name("FILE...");
+        ->type_name("FILE");
     app->add_option("--count", sweep_.count,
                     "number of questions per family or file, and per pair of shapes "
                     "(default: 200 of a family, all of a file)")
