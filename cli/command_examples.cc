@@ -130,14 +130,22 @@ position, orientation, velocity and angular velocity, in SI units and the world 
      "input or nothing simulated"},
     {"sweep", R"(
 
-Generates questions from a seed and judges the answers of the subjects, without a ledger.
-Contact questions are judged against the certified truth. Worlds are small simulations; their
-motions are judged by the laws that the family claims and by those of every motion. Prints one
-row per family, shape pair and subject: the fraction that touches or that was verified, the
+Generates questions from a seed, or reads yours, and judges the answers of the subjects, without
+a ledger. Contact questions are judged against the certified truth. Worlds are small simulations;
+their motions are judged by the laws that the family claims and by those of every motion. Prints
+one row per family, shape pair and subject: the fraction that touches or that was verified, the
 failures, and the worst measures relative to their tolerances. Then prints the failures by
 measure, law and cause, with commands that repeat them; for a single subject also proofs, next
 to the answers of the references. Contact questions without --pair are of every shape pair that
 a subject supports.
+
+With --from, the questions are yours, e.g. poses of a simulation or a robot: a CSV table with one
+question a row, whose first line names the columns,
+    A.shape,A.radius,B.shape,B.radius,B.position.x,B.position.y,B.position.z
+    sphere,0.5,sphere,0.4,0,0,0.89
+in metres, with quaternions as A.quaternion.w, .x, .y and .z (docs/contact_table.md has all
+columns), or scenario files, or the report.jsonl of a run. A changed table is another sweep: it
+neither resumes nor merges.
 
 With --out, the results are kept in DIR/sweep.unfinished.sqlite while they are computed. The same
 command goes on after Ctrl-C, --time, or a kill, and ends with the same DIR/sweep.sqlite, whatever
@@ -155,6 +163,8 @@ submits again the shards that failed, which go on from where they were.
   touchstone sweep contact --count 1000000 --out big --slurm --tasks 64 --sbatch-args '--time=60'
   touchstone sweep contact --count 1000000 --out big --slurm --status
   touchstone sweep contact --pair box box --subject bullet/gjk --count 512 --climb 32
+  touchstone sweep contact --from poses.csv --subject bullet/gjk --out night
+  touchstone sweep contact --from poses.csv my_scenarios/ --pair box box --count 1000
   touchstone sweep world --count 1000
   touchstone sweep world --family slides,stacks --subject ode --set ode:contact_erp=0.2 --quiet
   touchstone sweep world --subject all --count 100000 --seed 7 --time 8h --out worlds

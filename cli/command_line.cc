@@ -416,9 +416,9 @@ class CommandLine {
   }
 
   void AddSweep() {
-    CLI::App* app =
-        AddCommand("sweep", "Check the subject on thousands of generated questions",
-                   [this] { return SweepCommand(session_, sweep_); });
+    CLI::App* app = AddCommand(
+        "sweep", "Check the subject on thousands of generated questions, or yours",
+        [this] { return SweepCommand(session_, sweep_); });
     app->add_option_function<std::string>(
            "QUESTIONS",
            [this](const std::string& kind) {
@@ -451,16 +451,28 @@ class CommandLine {
         ->capture_default_str();
     app->add_option("--pair", sweep_.pairs,
                     "two shapes of a contact question, e.g. --pair box sphere; may be "
-                    "repeated (default: all pairs that a subject supports)")
+                    "repeated (default: all pairs that a subject supports, or "
+                    "that a file has)")
         ->check(OneOf(ShapeNames()))
         ->type_name("SHAPE SHAPE")
         ->allow_extra_args(false);
     // SQLite has signed numbers.
     constexpr auto kMost = std::uint64_t{1} << 62;
-    AddNumber(app, "--count", sweep_.count, 1,
-              "number of questions per family, and per pair of shapes", kMost);
+    app->add_option(
+           "--from", sweep_.from,
+           "ask the contact questions of these files instead of generated ones: "
+           "a table of poses (*.csv, docs/contact_table.md), the report.jsonl of "
+           "a run, a scenario file or a folder of them")
+        ->type_name("FILE");
+    app->add_option("--count", sweep_.count,
+                    "number of questions per family or file, and per pair of shapes "
+                    "(default: 200 of a family, all of a file)")
+        ->check(WholeNumber(1, kMost))
+        ->type_name("N");
     AddNumber(app, "--first", sweep_.first, 0, "index of the first question", kMost);
-    AddNumber(app, "--seed", sweep_.seed, 0, "seed of the questions");
+    app->add_option("--seed", sweep_.seed, "seed of the questions (default: 1)")
+        ->check(WholeNumber(0, std::numeric_limits<std::uint64_t>::max()))
+        ->type_name("N");
     app->add_option(
            "--climb", sweep_.climb,
            "worst-case search: of every N contact questions the first is one of the "

@@ -1,7 +1,6 @@
 #include "cli/program_identity.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
@@ -10,30 +9,17 @@
 #include <fmt/format.h>
 #include <link.h>
 
+#include "reports/text/fnv_1a.h"
+
 namespace touchstone {
 namespace {
-
-/** FNV-1a, 64 bits. */
-class Hash {
- public:
-  void Take(std::string_view bytes) {
-    for (const char byte : bytes) {
-      value_ ^= static_cast<unsigned char>(byte);
-      value_ *= 1099511628211U;
-    }
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 14695981039346656037U;
-};
 
 /** Called by dl_iterate_phdr() for each loaded library. */
 int TakeLibrary(dl_phdr_info* library, std::size_t, void* hash) {
   std::error_code ignored;
   const std::filesystem::path file = library->dlpi_name;
   if (file.empty()) return 0;
-  static_cast<Hash*>(hash)->Take(fmt::format(
+  static_cast<Fnv1a*>(hash)->Take(fmt::format(
       "{} {} {}\n", file.string(), std::filesystem::file_size(file, ignored),
       std::filesystem::last_write_time(file, ignored).time_since_epoch().count()));
   return 0;
@@ -42,7 +28,7 @@ int TakeLibrary(dl_phdr_info* library, std::size_t, void* hash) {
 }  // namespace
 
 std::string ProgramIdentity() {
-  Hash hash;
+  Fnv1a hash;
   dl_iterate_phdr(TakeLibrary, &hash);
   std::ifstream file("/proc/self/exe", std::ios::binary);
   std::string block(std::size_t{1} << 16, '\0');

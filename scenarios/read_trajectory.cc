@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "scenarios/csv_line.h"
 #include "scenarios/worlds/validate_world.h"
 
 namespace touchstone {
@@ -24,26 +24,6 @@ constexpr std::size_t kMostErrors = 5;
 enum Column : std::size_t { kTime, kName, kPosition, kOrientation = 5, kOracle = 9 };
 constexpr std::array<std::string_view, 10> kColumns = {
     "time", "name", "px", "py", "pz", "qw", "qx", "qy", "qz", "oracle"};
-
-std::vector<std::string_view> CellsOf(std::string_view line) {
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  std::vector<std::string_view> cells;
-  for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t end = std::min(line.find(',', at), line.size());
-    cells.push_back(line.substr(at, end - at));
-    at = end + 1;
-  }
-  return cells;
-}
-
-std::optional<double> NumberIn(std::string_view cell) {
-  double number = 0;
-  const auto [end, error] =
-      std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(number))
-    return std::nullopt;
-  return number;
-}
 
 class Reader {
  public:
@@ -122,7 +102,7 @@ class Reader {
                                std::size_t column) {
     if (!at_[column]) return std::nullopt;
     const std::string_view cell = cells[*at_[column]];
-    const std::optional<double> number = NumberIn(cell);
+    const std::optional<double> number = FiniteNumberIn(cell);
     if (!number) {
       Add(line_, Place(cells, column),
           fmt::format("{} is \"{}\"", kColumns[column], cell), "a finite number");

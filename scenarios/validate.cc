@@ -140,6 +140,14 @@ void AppendPrefixed(std::string_view prefix, std::vector<Fault> from,
 
 }  // namespace
 
+std::optional<double> NormToDivideBy(const Eigen::Quaterniond& q) {
+  const double norm = q.coeffs().stableNorm();
+  const double off = std::abs(norm - 1);
+  // Written so that a NaN is left to the validation.
+  if (off > kQuaternionSlack && off <= kRotationSlack) return norm;
+  return std::nullopt;
+}
+
 std::vector<Fault> FaultsOf(const Body& body) {
   std::vector<Fault> faults;
   std::visit(ShapeCheck{faults}, body.shape);

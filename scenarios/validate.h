@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,11 @@ inline constexpr double kQuaternionSlack = 1e-12;
 /** Largest accepted OrthonormalityDefect(): matrices in bug reports have the seven digits
  that single-precision engines print. The defect of a query widens its certified band. */
 inline constexpr double kRotationSlack = 1e-6;
+
+/** Returns the norm by which readers of files divide `q`: it is off 1 by more than
+ kQuaternionSlack, the rounding of 16 digits, but by no more than kRotationSlack, that of
+ seven. Empty for every other quaternion, which FaultsOf() a body accepts or refuses. */
+std::optional<double> NormToDivideBy(const Eigen::Quaterniond& q);
 
 /** The shortest and the longest length in a query. Their squares and cubes, and roundings
  of these, are normal doubles: products in a proof or a tolerance neither overflow nor

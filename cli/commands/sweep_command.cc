@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <iostream>
 #include <map>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/commands/sweep_on_slurm.h"
 #include "cli/commands/sweep_summary.h"
@@ -20,6 +22,7 @@
 #include "cli/output_folder.h"
 #include "cli/progress_bar.h"
 #include "reports/sweep/merge.h"
+#include "reports/sweep/read_file_series.h"
 #include "reports/sweep/sweep.h"
 #include "reports/text/commented.h"
 #include "reports/text/counted.h"
@@ -31,6 +34,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using KindPair = std::pair<ShapeKind, ShapeKind>;
+
+/** The number of generated questions of a series. */
+constexpr std::uint64_t kCount = 200;
+
+constexpr std::uint64_t kSeed = 1;
 
 /** Returns the families with those names, each once, or `all` for the name "all". Throws
  InputError for an unknown name. */
@@ -61,13 +69,19 @@ ShapeKind KindNamed(const std::string& name) {
   return static_cast<ShapeKind>(kind);
 }
 
-std::vector<KindPair> PairsOf(const SweepArguments& arguments,
-                              const std::vector<const Oracle*>& subjects) {
+/** Returns the pairs of --pair, each once. */
+std::vector<KindPair> ChosenPairs(const SweepArguments& arguments) {
   std::vector<KindPair> pairs;
   for (const auto& [A, B] : arguments.pairs) {
     const KindPair pair = PairNamed({A, B});
     if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
   }
+  return pairs;
+}
+
+std::vector<KindPair> PairsOf(const SweepArguments& arguments,
+                              const std::vector<const Oracle*>& subjects) {
+  std::vector<KindPair> pairs = ChosenPairs(arguments);
   if (!pairs.empty()) return pairs;
   for (int a = 0; a < kShapeKinds; ++a) {
     for (int b = 0; b < kShapeKinds; ++b) {
@@ -92,19 +106,79 @@ std::vector<Series> ContactSeries(const SweepArguments& arguments,
       series.emplace_back(QuestionSeries{.family = family,
                                          .A = A,
                                          .B = B,
-                                         .seed = arguments.seed,
+                                         .seed = arguments.seed.value_or(kSeed),
                                          .first = arguments.first,
-                                         .count = arguments.count,
+                                         .count = arguments.count.value_or(kCount),
                                          .climb = arguments.climb});
     }
   }
   return series;
 }
 
+/** Throws InputError if an option chooses generated questions. */
+void RefuseGenerated(const SweepArguments& arguments) {
+  const char* const option = arguments.families != std::vector<std::string>{"all"}
+                                 ? "--family"
+                             : arguments.seed      ? "--seed"
+                             : arguments.climb > 1 ? "--climb"
+                                                   : nullptr;
+  if (option == nullptr) return;
+  throw InputError(
+      fmt::format("{} is for generated questions; expected no such option with --from, "
+                  "which asks those of the files",
+                  option));
+}
+
+/** Reads a file of --from. Throws InputError with its errors. */
+std::vector<FileSeries> SeriesOfFile(const std::string& file) {
+  FileOfQuestions read = ReadFileSeries(file);
+  for (const Diagnostic& note : read.notes)
+    std::cerr << "touchstone: " << ToNote(note) << '\n';
+  std::vector<std::string> errors;
+  for (const Diagnostic& error : read.errors) errors.push_back(ToString(error));
+  if (!errors.empty()) throw InputError(fmt::format("{}", fmt::join(errors, "\n")));
+  return std::move(read.series);
+}
+
+/** Returns the questions of the files of --from that --pair, --first and --count choose.
+ Throws InputError if there is none in a file. */
+std::vector<Series> SeriesOfFiles(const SweepArguments& arguments) {
+  RefuseGenerated(arguments);
+  const std::vector<KindPair> pairs = ChosenPairs(arguments);
+  std::vector<Series> all;
+  std::set<std::string> seen;
+  for (const std::string& file : arguments.from) {
+    if (!seen.insert(file).second) continue;
+    const std::size_t before = all.size();
+    std::vector<std::string> has;
+    for (FileSeries& series : SeriesOfFile(file)) {
+      has.push_back(
+          fmt::format("{} of {} {}", series.count, NameOf(series.A), NameOf(series.B)));
+      const bool is_chosen =
+          pairs.empty() || std::ranges::count(pairs, KindPair(series.A, series.B)) > 0;
+      if (!is_chosen || arguments.first >= series.count) continue;
+      series.first = arguments.first;
+      series.count =
+          std::min(series.count - series.first, arguments.count.value_or(series.count));
+      all.emplace_back(std::move(series));
+    }
+    if (all.size() == before) {
+      throw InputError(fmt::format(
+          "{}: has no question that --pair and --first choose; expected some of its: {}",
+          file, fmt::join(has, ", ")));
+    }
+  }
+  return all;
+}
+
 std::vector<Series> SeriesOfWorlds(const SweepArguments& arguments) {
-  if (!arguments.pairs.empty() || arguments.climb > 1) {
-    throw InputError(fmt::format("{} is for contact questions; expected no such option",
-                                 arguments.climb > 1 ? "--climb" : "--pair"));
+  const char* const option = !arguments.from.empty()    ? "--from"
+                             : arguments.climb > 1      ? "--climb"
+                             : !arguments.pairs.empty() ? "--pair"
+                                                        : nullptr;
+  if (option != nullptr) {
+    throw InputError(
+        fmt::format("{} is for contact questions; expected no such option", option));
   }
   if (!arguments.oracles.tolerance.IsZero()) {
     throw InputError(
@@ -115,9 +189,9 @@ std::vector<Series> SeriesOfWorlds(const SweepArguments& arguments) {
   for (const WorldFamily family :
        FamiliesNamed(arguments.families, AllWorldFamilies(), &WorldFamilyNamed)) {
     series.emplace_back(WorldSeries{.family = family,
-                                    .seed = arguments.seed,
+                                    .seed = arguments.seed.value_or(kSeed),
                                     .first = arguments.first,
-                                    .count = arguments.count});
+                                    .count = arguments.count.value_or(kCount)});
   }
   return series;
 }
@@ -135,9 +209,12 @@ SweepPlan PlanOf(const Session& session, const SweepArguments& arguments) {
     if (arguments.kind == QuestionKind::kContact)
       plan.references.assign(oracles.begin() + 1, oracles.end());
   }
-  plan.series = arguments.kind == QuestionKind::kWorld
-                    ? SeriesOfWorlds(arguments)
-                    : ContactSeries(arguments, plan.subjects);
+  if (arguments.kind == QuestionKind::kWorld)
+    plan.series = SeriesOfWorlds(arguments);
+  else if (!arguments.from.empty())
+    plan.series = SeriesOfFiles(arguments);
+  else
+    plan.series = ContactSeries(arguments, plan.subjects);
   return plan;
 }
 
@@ -285,11 +362,13 @@ int ExitCodeOf(const SweepFile& file, const std::vector<SubjectSummary>& subject
   if (all_subjects && any(is_verified)) return 0;
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     if (is_verified(subjects[i])) continue;
-    const bool is_world = IsOfWorlds(file.settings().series.front());
+    const Series& first = file.settings().series.front();
     std::cerr << fmt::format(
         "touchstone: nothing was verified; expected a {} that {} {}\n",
-        is_world ? "world" : "touching question", file.settings().subjects[i],
-        is_world ? "simulates" : "supports");
+        IsOfWorlds(first) ? "world"
+        : IsOfFile(first) ? "question"
+                          : "touching question",
+        file.settings().subjects[i], IsOfWorlds(first) ? "simulates" : "supports");
     return 2;
   }
   return 0;

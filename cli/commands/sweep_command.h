@@ -28,12 +28,18 @@ struct SweepArguments {
   QuestionKind kind = QuestionKind::kContact;
   OracleSelection oracles;  ///< The subject is a list, see SubjectsNamed().
   std::vector<std::string> families = {"all"};  ///< Names of families, or "all".
-  /** Names of shapes; empty: all pairs that a subject supports. Contact only. */
+  /** Files of questions that are asked instead of generated ones, see ReadFileSeries().
+   Contact only. */
+  std::vector<std::string> from;
+  /** Names of shapes; empty: all pairs that a subject supports, or that a file has.
+   Contact only. */
   std::vector<std::pair<std::string, std::string>> pairs;
-  std::uint64_t count = 200;  ///< Questions per family, and pair of shapes.
+  /** Questions per family or file, and pair of shapes; empty: 200 of a family, all of a
+   file. */
+  std::optional<std::uint64_t> count;
   std::uint64_t first = 0;
-  std::uint64_t seed = 1;
-  std::uint64_t climb = 1;  ///< Same as QuestionSeries::climb. Contact only.
+  std::optional<std::uint64_t> seed;  ///< Empty: 1. Generated questions only.
+  std::uint64_t climb = 1;            ///< Same as QuestionSeries::climb. Contact only.
   Shard shard = {};
   std::optional<std::chrono::seconds> time;  ///< The time after which it stops.
   /** Folder for the file of results and for the failed questions, as TOML. */
@@ -46,13 +52,14 @@ struct SweepArguments {
   bool quiet = false;
 };
 
-/** Asks the subjects generated questions. Prints, per family, pair and subject, the
+/** Asks the subjects questions, generated or from files. Prints, per family or file, pair
+ and subject, the
  fraction that touches, the failures and the worst measures relative to their tolerances;
  then the failures by measure, law and cause, with the commands that repeat the worst.
  With a folder, the results are kept there while they are computed, and an interrupted
  sweep is resumed. Returns 1 on failures, 2 if no answer of a subject was verified (of
- contact questions, to one that touches), 128 plus the signal if it was interrupted,
- else 0. */
+ generated contact questions, to one that touches), 128 plus the signal if it was
+ interrupted, else 0. */
 int SweepCommand(const Session& session, const SweepArguments& arguments);
 
 /** Returns the name of the file of a shard, without its extension. */

@@ -13,7 +13,7 @@
 namespace touchstone {
 namespace {
 
-constexpr const char* kContactRow = "{:<19}{:<27}{}{:>9}{:>10}{:>11}{:>8}  {}\n";
+constexpr const char* kContactRow = "{:<{}}{:<27}{}{:>9}{:>10}{:>11}{:>8}  {}\n";
 constexpr const char* kWorldRow = "{:<14}{}{:>9}{:>10}{:>8}  {}\n";
 
 std::string Percent(std::uint64_t part, std::uint64_t all) {
@@ -68,9 +68,16 @@ FailureKind KindOf(const FindingKind& kind) {
   return {kind.measure, kind.cause, kind.law, kind.ending};
 }
 
-void Add(const OracleTally& tally, bool is_world, std::size_t series, Grade least,
+/** Returns the number of answers that count as examined. Generated contact questions none
+ of which touches examine little; the poses of a user may all be apart. */
+std::uint64_t ExaminedOf(const Series& series, const OracleTally& tally) {
+  const bool is_generated = !IsOfWorlds(series) && !IsOfFile(series);
+  return is_generated ? tally.verified_touching : tally.verified;
+}
+
+void Add(const OracleTally& tally, const Series& of, std::size_t series, Grade least,
          SubjectSummary& summary) {
-  summary.examined += is_world ? tally.verified : tally.verified_touching;
+  summary.examined += ExaminedOf(of, tally);
   for (const auto& [kind, count] : tally.answers) {
     if (kind.verdict != Verdict::kUnsupported) summary.answers += count;
     if (!IsFailure(kind.verdict)) continue;
@@ -90,20 +97,29 @@ void Add(const OracleTally& tally, bool is_world, std::size_t series, Grade leas
   }
 }
 
-std::string RowOf(const QuestionSeries& series, const std::string& subject,
+/** Returns a row of the table. `width` is that of the first column of contact questions.
+ */
+std::string RowOf(const Series& series, std::size_t width, const std::string& subject,
                   const OracleTally& tally) {
-  return fmt::format(kContactRow, NameOf(series.family),
-                     fmt::format("{} {}", NameOf(series.A), NameOf(series.B)), subject,
-                     tally.asked, Percent(tally.touching, tally.asked),
+  const auto pair = PairOf(series);
+  if (!pair) {
+    return fmt::format(kWorldRow, OriginOf(series), subject, tally.asked,
+                       Percent(tally.verified, tally.asked), FailureCount(tally),
+                       WorstOf(tally));
+  }
+  return fmt::format(kContactRow, OriginOf(series), width,
+                     fmt::format("{} {}", NameOf(pair->first), NameOf(pair->second)),
+                     subject, tally.asked, Percent(tally.touching, tally.asked),
                      Percent(tally.undecided, tally.asked), FailureCount(tally),
                      WorstOf(tally));
 }
 
-std::string RowOf(const WorldSeries& series, const std::string& subject,
-                  const OracleTally& tally) {
-  return fmt::format(kWorldRow, NameOf(series.family), subject, tally.asked,
-                     Percent(tally.verified, tally.asked), FailureCount(tally),
-                     WorstOf(tally));
+/** Returns the width of the column of families, of which the longest has 17 letters, or
+ of files. */
+std::size_t OriginWidth(const std::vector<Series>& all) {
+  std::size_t width = 19;
+  for (const Series& series : all) width = std::max(width, OriginOf(series).size() + 2);
+  return width;
 }
 
 }  // namespace
@@ -119,12 +135,15 @@ std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least) 
   const auto column = [width](std::string_view name) {
     return width == 0 ? "" : fmt::format("{:<{}}", name, width);
   };
-  const bool are_worlds = IsOfWorlds(settings.series.front());
-  std::cout << (are_worlds ? fmt::format(kWorldRow, "family", column("subject"), "worlds",
-                                         "verified", "failed", "worst, in tolerances")
-                           : fmt::format(kContactRow, "family", "pair", column("subject"),
-                                         "questions", "touching", "undecided", "failed",
-                                         "worst, in tolerances"));
+  const Series& first = settings.series.front();
+  const std::size_t origin = OriginWidth(settings.series);
+  std::cout << (IsOfWorlds(first)
+                    ? fmt::format(kWorldRow, "family", column("subject"), "worlds",
+                                  "verified", "failed", "worst, in tolerances")
+                    : fmt::format(kContactRow, IsOfFile(first) ? "file" : "family",
+                                  origin, "pair", column("subject"), "questions",
+                                  "touching", "undecided", "failed",
+                                  "worst, in tolerances"));
   std::size_t unasked = 0;
   for (std::size_t s = 0; s < settings.series.size(); ++s) {
     const Series& series = settings.series[s];
@@ -136,10 +155,8 @@ std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least) 
     }
     for (std::size_t i = 0; i < summaries.size(); ++i) {
       const OracleTally& oracle = tally.oracles[i];
-      Add(oracle, IsOfWorlds(series), s, least, summaries[i]);
-      const std::string subject = column(settings.subjects[i]);
-      std::cout << std::visit(
-          [&](const auto& of_kind) { return RowOf(of_kind, subject, oracle); }, series);
+      Add(oracle, series, s, least, summaries[i]);
+      std::cout << RowOf(series, origin, column(settings.subjects[i]), oracle);
     }
   }
   if (unasked > 0)

@@ -31,7 +31,7 @@ struct FailureCluster {
 /** The results of one subject, over all series. */
 struct SubjectSummary {
   std::uint64_t answers = 0;  ///< Answers to questions that it supports.
-  /** Verified answers; of contact questions, those to questions that touch. */
+  /** Verified answers; of generated contact questions, those to questions that touch. */
   std::uint64_t examined = 0;
   std::uint64_t failed = 0;
   std::uint64_t failed_in_band = 0;  ///< Failures of the least band that counts, or more.

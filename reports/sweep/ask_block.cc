@@ -7,6 +7,8 @@ SeriesTally AskBlock(const SweepPlan& plan, const SweepBlock& block) {
     return AskWorlds(plan, *worlds);
   std::optional<std::size_t> examined;
   if (block.number >= kExaminedBlocks) examined = kExaminedPerKind;
+  if (const auto* file = std::get_if<FileSeries>(&block.questions))
+    return AskContacts(plan, *file, examined);
   return AskContacts(plan, std::get<QuestionSeries>(block.questions), examined);
 }
 

@@ -12,11 +12,15 @@ namespace touchstone {
  subject by itself, without a ledger. A pure function of its arguments; thread safe. */
 SeriesTally AskBlock(const SweepPlan& plan, const SweepBlock& block);
 
-/** The same for contact questions. The certified truth of a question is computed once for
- all subjects. The references of the plan answer too.
+/** The same for generated contact questions. The certified truth of a question is
+ computed once for all subjects. The references of the plan answer too.
 
  @param examined Same as RunOptions::examined_per_kind, for each subject. */
 SeriesTally AskContacts(const SweepPlan& plan, const QuestionSeries& block,
+                        std::optional<std::size_t> examined);
+
+/** The same for contact questions from a file. @pre block.questions. */
+SeriesTally AskContacts(const SweepPlan& plan, const FileSeries& block,
                         std::optional<std::size_t> examined);
 
 /** The same for worlds, by JudgeOnce(). References have no part in the judgement of a

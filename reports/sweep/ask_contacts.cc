@@ -17,49 +17,73 @@ std::vector<const Oracle*> SubjectAndReferences(const SweepPlan& plan,
   return oracles;
 }
 
+/** Questions that are put to one subject after the other, and what the next one need not
+ compute again. */
+struct AskedQuestions {
+  TrueQuestions questions;
+  TruthsOfNeighbours truths_of_neighbours = {};
+  VariantsOfAll variants = {};
+};
+
+/** Puts the questions to `subject` and counts its answers. `first` is the index of the
+ first question in its series. */
+OracleTally Ask(const SweepPlan& plan, const Oracle* subject, std::uint64_t first,
+                std::optional<std::size_t> examined, AskedQuestions& asked) {
+  RunOptions options;
+  options.jobs = 1;
+  options.partial = true;
+  options.reasons = Reasons::kNoneButProofs;
+  options.truths = asked.questions.truths;
+  options.truths_of_neighbours = &asked.truths_of_neighbours;
+  options.variants = &asked.variants;
+  options.examined_per_kind = examined;
+  const std::vector<const Oracle*> oracles = SubjectAndReferences(plan, subject);
+  const RunReport report = Run(asked.questions.scenarios, oracles, {}, options);
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  OracleTally tally;
+  for (std::size_t i = 0; i < asked.questions.scenarios.size(); ++i) {
+    // Ids sort as indices do, so the report has the order of the block.
+    const ScenarioResult& result = report.scenarios[i];
+    CountAnswer({.question = first + i,
+                 .outcome = outcomes[i * oracles.size()],
+                 .touching = result.truth.touching == Touching::kTouching,
+                 .undecided = result.truth.touching == Touching::kUndecided,
+                 .share_of =
+                     [&result](const Finding& finding) {
+                       return ShareOf(finding, result.scenario.contact, result.truth);
+                     },
+                 .write = [&result] { return WriteScenario(result.scenario); }},
+                tally);
+  }
+  return tally;
+}
+
+/** Puts the same questions to every subject. */
+SeriesTally AskAll(const SweepPlan& plan, std::uint64_t first,
+                   std::optional<std::size_t> examined, AskedQuestions asked) {
+  SeriesTally tally;
+  for (const Oracle* subject : plan.subjects)
+    tally.oracles.push_back(Ask(plan, subject, first, examined, asked));
+  return tally;
+}
+
 }  // namespace
 
 SeriesTally AskContacts(const SweepPlan& plan, const QuestionSeries& block,
                         std::optional<std::size_t> examined) {
-  TrueQuestions questions;
-  if (block.climb == 1) questions = QuestionsOf(block);
-  TruthsOfNeighbours truths_of_neighbours;
-  VariantsOfAll variants;
+  if (block.climb == 1)
+    return AskAll(plan, block.first, examined, {.questions = QuestionsOf(block)});
   SeriesTally tally;
   for (const Oracle* subject : plan.subjects) {
-    if (block.climb > 1) {
-      questions = ClimbOf(block, *subject);
-      truths_of_neighbours.clear();
-      variants.clear();
-    }
-    RunOptions options;
-    options.jobs = 1;
-    options.partial = true;
-    options.reasons = Reasons::kNoneButProofs;
-    options.truths = questions.truths;
-    options.truths_of_neighbours = &truths_of_neighbours;
-    options.variants = &variants;
-    options.examined_per_kind = examined;
-    const std::vector<const Oracle*> oracles = SubjectAndReferences(plan, subject);
-    const RunReport report = Run(questions.scenarios, oracles, {}, options);
-    const std::vector<Outcome> outcomes = OutcomesOf(report);
-    OracleTally& of_subject = tally.oracles.emplace_back();
-    for (std::uint64_t i = 0; i < block.count; ++i) {
-      // Ids sort as indices do, so the report has the order of the block.
-      const ScenarioResult& result = report.scenarios[i];
-      CountAnswer({.question = block.first + i,
-                   .outcome = outcomes[i * oracles.size()],
-                   .touching = result.truth.touching == Touching::kTouching,
-                   .undecided = result.truth.touching == Touching::kUndecided,
-                   .share_of =
-                       [&result](const Finding& finding) {
-                         return ShareOf(finding, result.scenario.contact, result.truth);
-                       },
-                   .write = [&result] { return WriteScenario(result.scenario); }},
-                  of_subject);
-    }
+    AskedQuestions asked{.questions = ClimbOf(block, *subject)};
+    tally.oracles.push_back(Ask(plan, subject, block.first, examined, asked));
   }
   return tally;
+}
+
+SeriesTally AskContacts(const SweepPlan& plan, const FileSeries& block,
+                        std::optional<std::size_t> examined) {
+  return AskAll(plan, block.first, examined, {.questions = QuestionsOf(block)});
 }
 
 }  // namespace touchstone

@@ -20,10 +20,22 @@ struct TrueQuestion {
   ContactTruth truth;
 };
 
-TrueQuestion QuestionAt(const QuestionSeries& series, std::uint64_t index) {
+template <typename AnySeries>
+TrueQuestion QuestionAt(const AnySeries& series, std::uint64_t index) {
   TrueQuestion question{ScenarioAt(series, index), {}};
   question.truth = ComputeContactTruth(question.scenario.contact);
   return question;
+}
+
+template <typename AnySeries>
+TrueQuestions AllQuestionsOf(const AnySeries& block) {
+  TrueQuestions questions;
+  for (std::uint64_t i = block.first; i < block.first + block.count; ++i) {
+    TrueQuestion question = QuestionAt(block, i);
+    questions.scenarios.push_back(std::move(question.scenario));
+    questions.truths.push_back(question.truth);
+  }
+  return questions;
 }
 
 /** Returns the largest error of the subject's answer as a share of the smaller body;
@@ -74,13 +86,11 @@ ContactQuery Mutated(const ContactQuery& query, Random& random) {
 }  // namespace
 
 TrueQuestions QuestionsOf(const QuestionSeries& block) {
-  TrueQuestions questions;
-  for (std::uint64_t i = block.first; i < block.first + block.count; ++i) {
-    TrueQuestion question = QuestionAt(block, i);
-    questions.scenarios.push_back(std::move(question.scenario));
-    questions.truths.push_back(question.truth);
-  }
-  return questions;
+  return AllQuestionsOf(block);
+}
+
+TrueQuestions QuestionsOf(const FileSeries& block) {
+  return AllQuestionsOf(block);
 }
 
 TrueQuestions ClimbOf(const QuestionSeries& block, const Oracle& subject) {

@@ -4,6 +4,7 @@
 
 #include "oracles/oracle.h"
 #include "reports/referee/contact_truth.h"
+#include "reports/sweep/file_series.h"
 #include "reports/sweep/question_series.h"
 #include "scenarios/scenario.h"
 
@@ -17,6 +18,9 @@ struct TrueQuestions {
 
 /** Returns the questions of `block`, without an oracle's help. @pre block.climb == 1. */
 TrueQuestions QuestionsOf(const QuestionSeries& block);
+
+/** Returns the questions of `block`. @pre block.questions. */
+TrueQuestions QuestionsOf(const FileSeries& block);
 
 /** Returns the questions of `block` that a worst-case search puts to `subject`.
 

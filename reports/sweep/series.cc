@@ -12,6 +12,21 @@ std::string_view KindNameOf(const Series& series) {
   return IsOfWorlds(series) ? "world" : "contact";
 }
 
+std::string OriginOf(const Series& series) {
+  if (const auto* const file = std::get_if<FileSeries>(&series)) return file->file;
+  if (const auto* const worlds = std::get_if<WorldSeries>(&series))
+    return std::string(NameOf(worlds->family));
+  return std::string(NameOf(std::get<QuestionSeries>(series).family));
+}
+
+std::optional<std::pair<ShapeKind, ShapeKind>> PairOf(const Series& series) {
+  if (const auto* const file = std::get_if<FileSeries>(&series))
+    return std::pair(file->A, file->B);
+  if (const auto* const contacts = std::get_if<QuestionSeries>(&series))
+    return std::pair(contacts->A, contacts->B);
+  return std::nullopt;
+}
+
 std::uint64_t CountOf(const Series& series) {
   return std::visit([](const auto& of_kind) { return of_kind.count; }, series);
 }

@@ -2,10 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
+#include "reports/sweep/file_series.h"
 #include "reports/sweep/question_series.h"
 #include "reports/sweep/world_series.h"
 
@@ -13,7 +16,7 @@ namespace touchstone {
 
 /** A series of questions of one kind. All of a sweep that knows kinds of question is
  here, in ask_block.h, and where a file keeps a series. */
-using Series = std::variant<QuestionSeries, WorldSeries>;
+using Series = std::variant<QuestionSeries, FileSeries, WorldSeries>;
 
 /** The number of questions in a block: the unit that is computed, committed and shared
  out. Small enough that a thousand questions keep two threads busy, large enough that
@@ -41,6 +44,11 @@ inline bool IsOfWorlds(const Series& series) {
   return std::holds_alternative<WorldSeries>(series);
 }
 
+/** Returns whether it is a series of questions from a file. */
+inline bool IsOfFile(const Series& series) {
+  return std::holds_alternative<FileSeries>(series);
+}
+
 /** Returns whether it is a worst-case search, which finds other questions for each
  * oracle.
  */
@@ -51,6 +59,12 @@ inline bool IsSearch(const Series& series) {
 
 /** Returns "contact" or "world". */
 std::string_view KindNameOf(const Series& series);
+
+/** Returns the name of the family, or the path of the file. */
+std::string OriginOf(const Series& series);
+
+/** Returns the shapes of A and B; empty for worlds. */
+std::optional<std::pair<ShapeKind, ShapeKind>> PairOf(const Series& series);
 
 /** Returns the number of questions of a series. */
 std::uint64_t CountOf(const Series& series);

@@ -19,7 +19,7 @@ constexpr const char* kTables = R"(
 CREATE TABLE settings(name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;
 CREATE TABLE subjects(subject INTEGER PRIMARY KEY, oracle TEXT);
 CREATE TABLE series(series INTEGER PRIMARY KEY, kind TEXT, family TEXT, A TEXT, B TEXT,
-  seed TEXT, first INTEGER, count INTEGER, climb INTEGER);
+  seed TEXT, first INTEGER, count INTEGER, climb INTEGER, digest TEXT);
 CREATE TABLE blocks(first INTEGER PRIMARY KEY, last INTEGER);
 CREATE TABLE questions(series INTEGER, oracle TEXT, asked INTEGER, touching INTEGER,
   undecided INTEGER, verified INTEGER, verified_touching INTEGER,
@@ -202,16 +202,24 @@ OracleTally ReadOracle(const Database& database, std::size_t series,
 
 void WriteSeries(Statement& row, std::uint64_t number, const QuestionSeries& series) {
   row.Run(number, "contact", NameOf(series.family), NameOf(series.A), NameOf(series.B),
-          fmt::format("{}", series.seed), series.first, series.count, series.climb);
+          fmt::format("{}", series.seed), series.first, series.count, series.climb,
+          nullptr);
+}
+
+/** The family of questions from a file is the file. Nothing of them is random. */
+void WriteSeries(Statement& row, std::uint64_t number, const FileSeries& series) {
+  row.Run(number, "file", series.file, NameOf(series.A), NameOf(series.B), nullptr,
+          series.first, series.count, nullptr, series.digest);
 }
 
 /** A world has no pair of shapes and no search, so their columns are NULL. */
 void WriteSeries(Statement& row, std::uint64_t number, const WorldSeries& series) {
   row.Run(number, "world", NameOf(series.family), nullptr, nullptr,
-          fmt::format("{}", series.seed), series.first, series.count, nullptr);
+          fmt::format("{}", series.seed), series.first, series.count, nullptr, nullptr);
 }
 
-/** Reads a series from the columns kind, family, A, B, seed, first, count, climb. */
+/** Reads a series from the columns kind, family, A, B, seed, first, count, climb, digest.
+ */
 Series SeriesAt(const Database& database, const Statement& row) {
   const std::string kind = row.Text(0);
   const std::string family = row.Text(1);
@@ -221,6 +229,14 @@ Series SeriesAt(const Database& database, const Statement& row) {
                        .seed = seed,
                        .first = row.Unsigned(5),
                        .count = row.Unsigned(6)};
+  }
+  if (kind == "file") {
+    return FileSeries{.file = family,
+                      .digest = row.Text(8),
+                      .A = Known(database, ShapeKindNamed(row.Text(2)), row.Text(2)),
+                      .B = Known(database, ShapeKindNamed(row.Text(3)), row.Text(3)),
+                      .first = row.Unsigned(5),
+                      .count = row.Unsigned(6)};
   }
   if (kind != "contact")
     FailOnContents(database, fmt::format("the name '{}' is unknown", kind));
@@ -239,7 +255,7 @@ void WriteSettings(const Database& database, const SweepSettings& settings) {
   Statement subject(database, "INSERT INTO subjects VALUES(?, ?)");
   std::uint64_t at = 0;
   for (const std::string& name : settings.subjects) subject.Run(at++, name);
-  Statement row(database, "INSERT INTO series VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement row(database, "INSERT INTO series VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   at = 0;
   for (const Series& series : settings.series) {
     std::visit([&](const auto& of_kind) { WriteSeries(row, at, of_kind); }, series);
@@ -322,9 +338,10 @@ void SweepFile::ReadSettings() {
   while (value.Next()) settings_.values.emplace(value.Text(0), value.Text(1));
   Statement subject(database_, "SELECT oracle FROM subjects ORDER BY subject");
   while (subject.Next()) settings_.subjects.push_back(subject.Text(0));
-  Statement row(database_,
-                "SELECT kind, family, A, B, seed, first, count, climb FROM series "
-                "ORDER BY series");
+  Statement row(
+      database_,
+      "SELECT kind, family, A, B, seed, first, count, climb, digest FROM series "
+      "ORDER BY series");
   while (row.Next()) settings_.series.push_back(SeriesAt(database_, row));
 }
 

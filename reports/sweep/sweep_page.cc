@@ -18,6 +18,7 @@
 #include "reports/sweep/climb.h"
 #include "reports/sweep/database.h"
 #include "reports/sweep/question_id.h"
+#include "reports/sweep/read_file_series.h"
 #include "reports/sweep/sweep_file.h"
 #include "reports/writers/data/data_file.h"
 #include "reports/writers/data/json_values.h"
@@ -112,16 +113,12 @@ constexpr const char* kPair =
 
 /** Adds names of what a series asks to a row of `data`. */
 void PushSeries(const Series& series, PageNames& names, DataJson& data) {
-  std::string_view family;
   std::string pair;
-  if (const auto* contacts = std::get_if<QuestionSeries>(&series)) {
-    family = NameOf(contacts->family);
-    pair = fmt::format("{}–{}", NameOf(contacts->A), NameOf(contacts->B));
+  if (const auto shapes = PairOf(series)) {
+    pair = fmt::format("{}–{}", NameOf(shapes->first), NameOf(shapes->second));
     std::ranges::replace(pair, '_', ' ');
-  } else {
-    family = NameOf(std::get<WorldSeries>(series).family);
   }
-  data["family"].push_back(names.families.IndexOf(std::string(family)));
+  data["family"].push_back(names.families.IndexOf(OriginOf(series)));
   data["pair"].push_back(names.pairs.IndexOf(pair));
 }
 
@@ -401,9 +398,35 @@ class Collected {
   std::map<std::string, WorldScenario> worlds_;
 };
 
-/** Makes question `index` of a series, which was put to `subject`. */
+/** The files from which a sweep has questions, read again. */
+class FilesAgain {
+ public:
+  /** Returns a question; empty if its file is no longer there, or has changed. */
+  std::optional<Scenario> QuestionAt(const FileSeries& series, std::uint64_t index) {
+    auto file = files_.find(series.file);
+    if (file == files_.end())
+      file = files_.emplace(series.file, ReadFileSeries(series.file)).first;
+    for (const FileSeries& again : file->second.series) {
+      const bool is_same =
+          again.digest == series.digest && again.A == series.A && again.B == series.B;
+      if (is_same && index < again.count) return ScenarioAt(again, index);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::map<std::string, FileOfQuestions> files_;
+};
+
+/** Makes question `index` of a series, which was put to `subject`. That of a file that is
+ no longer there is left out. */
 void Make(const std::string& id, const Series& series, std::uint64_t index,
-          const Oracle& subject, Collected& to) {
+          const Oracle& subject, FilesAgain& files, Collected& to) {
+  if (const auto* file = std::get_if<FileSeries>(&series)) {
+    if (std::optional<Scenario> question = files.QuestionAt(*file, index))
+      to.Add(id, std::move(*question));
+    return;
+  }
   if (const auto* worlds = std::get_if<WorldSeries>(&series)) {
     to.Add(id, WorldAt(*worlds, index));
     return;
@@ -443,6 +466,7 @@ KeptQuestions ReadKeptQuestions(
   for (int place = 1; place <= kPerKind; ++place) AddFailures(sweep, place, limit, kept);
   const std::size_t most = kept.size() + limit;
   std::set<std::array<std::string, 3>> measured;
+  FilesAgain files;
   Statement worst(sweep.database, kWorst);
   worst.Start();
   while (kept.size() < most && worst.Next()) {
@@ -451,7 +475,7 @@ KeptQuestions ReadKeptQuestions(
     const Series& series = sweep.SeriesAt(worst.Integer(8));
     const std::uint64_t question = worst.Unsigned(9);
     const std::string id = PageIdOf(series, question, oracle);
-    if (!kept.Has(id)) Make(id, series, question, oracle_named(oracle), kept);
+    if (!kept.Has(id)) Make(id, series, question, oracle_named(oracle), files, kept);
   }
   return {sweep.settings.subjects, std::move(kept).Take()};
 }

@@ -31,7 +31,8 @@ struct KeptLimits {
  findings of each measure, whatever their verdicts. The gravest failure by share of
  each oracle, measure, law and cause comes first, then the second of each and the third,
  so that a frequent fault does not hide the others. The worst findings are those of the
- most tolerances, one for each oracle, measure and law. The file is not changed.
+ most tolerances, one for each oracle, measure and law; those of questions from a file
+ are left out if that file has changed since. The file is not changed.
  `oracle_named` returns a subject, which a worst-case search is repeated with. Throws
  SweepFileError. */
 KeptQuestions ReadKeptQuestions(

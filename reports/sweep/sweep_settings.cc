@@ -37,6 +37,14 @@ Named NamedOf(const QuestionSeries& series) {
           {"climb", fmt::format("{}", series.climb)}};
 }
 
+Named NamedOf(const FileSeries& series) {
+  return {{"questions from", series.file},
+          {fmt::format("questions in {} with digest", series.file), series.digest},
+          {"pair", fmt::format("{} {}", NameOf(series.A), NameOf(series.B))},
+          {"first", fmt::format("{}", series.first)},
+          {"count", fmt::format("{}", series.count)}};
+}
+
 Named NamedOf(const WorldSeries& series) {
   return {{"family of worlds", std::string(NameOf(series.family))},
           {"seed", fmt::format("{}", series.seed)},

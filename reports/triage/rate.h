@@ -5,7 +5,7 @@
 
 namespace touchstone {
 
-/** How many of the generated questions fail. */
+/** How many of the questions of a sweep fail. */
 struct Rate {
   std::uint64_t failed = 0;
   std::uint64_t asked = 0;

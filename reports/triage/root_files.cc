@@ -149,8 +149,8 @@ std::string RatePart(const Root& root) {
   if (others.asked > 0)
     table += fmt::format("| all | the others | {} |\n", ToString(others));
   return fmt::format(
-      "## How common\n\n{} of {} answers, {:.3g} %, to all generated questions that may "
-      "run into the same code. Intervals are those of 95 %.\n\n{}\n",
+      "## How common\n\n{} of {} answers, {:.3g} %, to all questions that may run "
+      "into the same code. Intervals are those of 95 %.\n\n{}\n",
       root.rate.failed, root.rate.asked, 100 * ShareOf(root.rate), table);
 }
 

@@ -12,26 +12,18 @@ namespace {
 
 /** Returns the two shapes of a pair, whatever their order, or the family of worlds. */
 std::string SubjectOf(const Series& series) {
-  const auto* const contacts = std::get_if<QuestionSeries>(&series);
-  if (contacts == nullptr)
-    return std::string(NameOf(std::get<WorldSeries>(series).family));
-  const auto [first, second] = std::minmax(NameOf(contacts->A), NameOf(contacts->B));
+  const auto pair = PairOf(series);
+  if (!pair) return OriginOf(series);
+  const auto [first, second] = std::minmax(NameOf(pair->first), NameOf(pair->second));
   return fmt::format("{}, {}", first, second);
 }
 
-/** Returns the family, and the pair in its order. */
+/** Returns the family or the file, and the pair in its order. */
 std::string AskedOf(const Series& series) {
-  const auto* const contacts = std::get_if<QuestionSeries>(&series);
-  if (contacts == nullptr)
-    return std::string(NameOf(std::get<WorldSeries>(series).family));
-  return fmt::format("{}, {} and {}", NameOf(contacts->family), NameOf(contacts->A),
-                     NameOf(contacts->B));
-}
-
-AskedPair PairOf(const Series& series) {
-  const auto* const contacts = std::get_if<QuestionSeries>(&series);
-  if (contacts == nullptr) return std::nullopt;
-  return std::pair(contacts->A, contacts->B);
+  const auto pair = PairOf(series);
+  if (!pair) return OriginOf(series);
+  return fmt::format("{}{}, {} and {}", IsOfFile(series) ? "the file " : "",
+                     OriginOf(series), NameOf(pair->first), NameOf(pair->second));
 }
 
 void RequireReadable(const FailedQuestion& failure, const SweepFile& file) {

@@ -49,7 +49,7 @@ using AskedPair = std::optional<std::pair<ShapeKind, ShapeKind>>;
 /** Questions of one kind that an oracle was asked. */
 struct Asked {
   std::string oracle;
-  std::string what;  ///< "random, sphere and box", or a family of worlds.
+  std::string what;  ///< "random, sphere and box", "the file poses.csv, …".
   AskedPair pair;
   std::uint64_t count = 0;
 };

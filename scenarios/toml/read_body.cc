@@ -1,11 +1,12 @@
 #include "scenarios/toml/read_body.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "scenarios/toml/values.h"
+#include "scenarios/validate.h"
 
 namespace touchstone {
 namespace {
@@ -36,19 +37,15 @@ Shape ShapeFrom(const toml::table& body) {
   return Sphere{1};
 }
 
-/** Returns the quaternion in `wxyz`. One that is off unit length by more than the
- rounding of 16 digits, but no more than seven digits can be, is normalised with a note.
- */
+/** Returns the quaternion in `wxyz`, divided by NormToDivideBy() with a note. */
 Eigen::Quaterniond QuaternionFrom(const toml::array& wxyz, FileLog& log) {
   const Eigen::Quaterniond q(NumberFrom(wxyz.get(0), 1), NumberFrom(wxyz.get(1), 0),
                              NumberFrom(wxyz.get(2), 0), NumberFrom(wxyz.get(3), 0));
-  const double norm = q.coeffs().stableNorm();
-  const double off = std::abs(norm - 1);
-  // Written so that a NaN is left to the validation.
-  if (!(off > kQuaternionSlack && off <= kRotationSlack)) return q;
+  const std::optional<double> norm = NormToDivideBy(q);
+  if (!norm) return q;
   log.Note(wxyz.source(),
-           fmt::format("the quaternion has norm {}; it was divided by it", norm));
-  return Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() / norm));
+           fmt::format("the quaternion has norm {}; it was divided by it", *norm));
+  return Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() / *norm));
 }
 
 Pose PoseFrom(const toml::table& body, FileLog& log) {

@@ -911,6 +911,148 @@ TEST_F(CommandLineTest, EndsASweepCleanlyAtCtrlC) {
   EXPECT_THAT(timed.err, HasSubstr("the same command goes on from there"));
 }
 
+/** Returns a table of two unit balls that sink into each other by `step` a row. */
+std::string TableOfBalls(int rows, double step) {
+  std::ostringstream text;
+  text << "A.shape,A.radius,B.shape,B.radius,B.position.x,B.position.y,B.position.z\n";
+  for (int row = 0; row < rows; ++row)
+    text << "sphere,1,sphere,1," << 1.9 - step * row << ",0.1,0\n";
+  return text.str();
+}
+
+TEST_F(CommandLineTest, SweepsTheQuestionsOfATable) {
+  const Ended ended = Itself("sweep contact --quiet --subject cookbook --from " +
+                             InSourceTree("docs/examples/poses.csv").string());
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("docs/examples/poses.csv  box box "),
+                               HasSubstr("docs/examples/poses.csv  box half_space "),
+                               HasSubstr("cookbook: 0 failed of 5")));
+}
+
+TEST_F(CommandLineTest, KeepsAndRepeatsTheFailedQuestionsOfATable) {
+  Write("my balls.csv", TableOfBalls(5, 0.01));
+  const Ended ended = Touchstone("sweep contact --subject half_depth --from '" +
+                                 Path("my balls.csv") + "' --out " + Path("failed"));
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("half_depth: 5 failed of 5"),
+                               HasSubstr("2 failed questions as files")));
+  const std::string repeat = "Repeat with: touchstone ";
+  const std::size_t at = ended.out.find(repeat);
+  ASSERT_NE(at, std::string::npos) << ended.out;
+  const std::size_t begin = at + repeat.size();
+  const Ended repeated =
+      Touchstone(ended.out.substr(begin, ended.out.find('\n', begin) - begin));
+  EXPECT_EQ(repeated.code, 1) << repeated.err;
+  EXPECT_THAT(repeated.out, HasSubstr("half_depth: 1 failed of 1"));
+  // The kept questions can be run, and swept again.
+  EXPECT_EQ(Touchstone("run --subject half_depth " + Path("failed/sweep")).code, 1);
+  EXPECT_THAT(Touchstone("sweep contact --subject half_depth --quiet --from " +
+                         Path("failed/sweep"))
+                  .out,
+              HasSubstr("half_depth: 2 failed of 2"));
+  const Ended triage = Touchstone("triage --no-programs " + Path("failed"));
+  EXPECT_EQ(triage.code, 1) << triage.err;
+  EXPECT_THAT(triage.out, HasSubstr("1 root cause"));
+  int reports = 0;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(Path("failed/triage"))) {
+    if (entry.path().filename() != "REPORT.md") continue;
+    EXPECT_THAT(TextOf(entry.path()),
+                HasSubstr("my balls.csv, sphere and sphere | 5 of 5"));
+    ++reports;
+  }
+  EXPECT_EQ(reports, 1);
+  EXPECT_EQ(Touchstone("report " + Path("failed") + " -o " + Path("page.html")).code, 0);
+}
+
+/** Sweeps, and kills the program once the file of its results is there. */
+constexpr const char* kKilledSweep = R"sh(sh -c '
+"$0" sweep contact --subject half_depth --quiet --from "$1" --out "$2" &
+while [ ! -f "$2/sweep.unfinished.sqlite" ]
+do kill -0 $! 2>/dev/null || exit 9; sleep 0.01; done
+kill -KILL $!; wait $!' )sh";
+
+TEST_F(CommandLineTest, ResumesASweepOfATableAndMergesItsShards) {
+  Write("balls.csv", TableOfBalls(40'000, 1e-5));
+  const std::string sweep = "sweep contact --subject half_depth --quiet --from " +
+                            Path("balls.csv") + " --out ";
+  EXPECT_EQ(Touchstone(sweep + Path("whole") + " --jobs 1").code, 1);
+  const std::string whole = TextOf(Path("whole/sweep.sqlite"));
+  const Ended killed = InPipe(kKilledSweep + ProgramWithFaults() + " " +
+                              Path("balls.csv") + " " + Path("killed"));
+  EXPECT_EQ(killed.code, 137) << killed.err;
+  EXPECT_FALSE(std::filesystem::exists(Path("killed/sweep.sqlite")));
+  Touchstone(sweep + Path("killed") + " --time 1s");
+  EXPECT_EQ(Touchstone(sweep + Path("killed") + " --jobs 3").code, 1);
+  EXPECT_TRUE(TextOf(Path("killed/sweep.sqlite")) == whole);
+  for (const char* shard : {"1/2", "2/2"})
+    Touchstone(sweep + Path("shards") + " --shard " + shard);
+  const std::string first = Path("shards/sweep.1-of-2.sqlite");
+  const std::string second = Path("shards/sweep.2-of-2.sqlite");
+  EXPECT_EQ(Touchstone("merge " + first + " " + second + " -o " + Path("merged")).code,
+            0);
+  EXPECT_TRUE(TextOf(Path("merged")) == whole);
+
+  Write("balls.csv", TableOfBalls(40'000, 1.1e-5));
+  const Ended other = Touchstone(sweep + Path("whole"));
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("belongs to another sweep: questions in " +
+                                   Path("balls.csv") + " with digest "));
+  Touchstone(sweep + Path("others") + " --shard 2/2");
+  const Ended mixed = Touchstone(
+      "merge " + first + " " + Path("others/sweep.2-of-2.sqlite") + " -o " + Path("no"));
+  EXPECT_EQ(mixed.code, 2);
+  EXPECT_THAT(mixed.err, HasSubstr("it has questions in " + Path("balls.csv")));
+}
+
+TEST_F(CommandLineTest, ChoosesQuestionsOfATable) {
+  Write("mixed.csv",
+        "A.shape,A.radius,B.shape,B.radius,B.position.x,B.position.y,B.position.z\n"
+        "sphere,1,sphere,1,1.9,0,0\nsphere,1,half_space,,0,0,0\n"
+        "sphere,1,sphere,1,2.5,0,0\nsphere,1,sphere,1,1.8,0,0\n");
+  const auto output_of = [&](const std::string& options) {
+    const Ended ended = Touchstone("sweep contact --subject right --quiet --from " +
+                                   Path("mixed.csv") + " " + options);
+    return ended.out + ended.err;
+  };
+  EXPECT_THAT(output_of(""), HasSubstr("right: 0 failed of 3"));
+  EXPECT_THAT(output_of("--count 2"), HasSubstr("right: 0 failed of 2"));
+  EXPECT_THAT(output_of("--pair sphere sphere --first 1"),
+              AllOf(HasSubstr("right: 0 failed of 2"), Not(HasSubstr("half_space"))));
+  // Poses that are all apart verify something.
+  EXPECT_THAT(output_of("--pair sphere sphere --first 1 --count 1"),
+              Not(HasSubstr("nothing was verified")));
+  EXPECT_THAT(output_of("--pair sphere half_space"),
+              HasSubstr("nothing was verified; expected a question that right supports"));
+  EXPECT_THAT(output_of("--pair box box"),
+              HasSubstr("mixed.csv: has no question that --pair and --first choose; "
+                        "expected some of its: 3 of sphere sphere, 1 of sphere "
+                        "half_space"));
+  EXPECT_THAT(output_of("--first 3"), HasSubstr("has no question that"));
+}
+
+TEST_F(CommandLineTest, RefusesTheQuestionsOfABadFileAndOptionsOfGeneratedOnes) {
+  const auto error_of = [&](const std::string& arguments) {
+    const Ended ended = Touchstone("sweep " + arguments);
+    EXPECT_EQ(ended.code, 2) << arguments;
+    return ended.err;
+  };
+  Write("bad.csv", "A.shape,A.radius,B.shape\nsphere,inf,half_space\n");
+  EXPECT_EQ(error_of("contact --from " + Path("bad.csv")),
+            "touchstone: " + Path("bad.csv") +
+                ":2:8: A.radius is \"inf\"; expected a finite number, without spaces\n");
+  EXPECT_THAT(error_of("contact --from " + Path("none.toml")),
+              HasSubstr("cannot be read"));
+  const std::string from = "contact --from " + Path("mine/deep.toml");
+  for (const char* option : {"--family random", "--seed 1", "--climb 8"}) {
+    EXPECT_THAT(error_of(from + " " + option),
+                HasSubstr(" is for generated questions; expected no such option with "
+                          "--from"));
+  }
+  EXPECT_THAT(error_of("world --from " + Path("mine/deep.toml")),
+              HasSubstr("--from is for contact questions; expected no such option"));
+}
+
 TEST_F(CommandLineTest, RefusesSlurmWithoutItsCommandsAFolderOrWithOtherParts) {
   const std::string sweep = "sweep contact --pair sphere sphere --count 1000 ";
   const auto error_of = [&](const std::string& options) {

@@ -9,8 +9,10 @@
 #include "reports/ledger/bounds_file.h"
 #include "reports/writers/data/deflate.h"
 #include "reports/writers/read_report_data.h"
+#include "scenarios/contact_table.h"
 #include "scenarios/scenario_file.h"
 #include "tests/fuzz/bounds_file_property.h"
+#include "tests/fuzz/contact_table_property.h"
 #include "tests/fuzz/protocol_property.h"
 #include "tests/fuzz/report_data_property.h"
 #include "tests/fuzz/scenario_file_property.h"
@@ -52,6 +54,21 @@ TEST(BoundsFileCorpus, IsReadWithoutFault) {
     ++files;
   }
   EXPECT_GE(files, 7);
+}
+
+TEST(ContactTableCorpus, IsReadWithoutFault) {
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(
+           InSourceTree("tests/fuzz/corpus/contact_table"))) {
+    std::ostringstream text;
+    text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+    EXPECT_EQ(FaultOfReadingTable(text.str()), "") << entry.path();
+    const std::string name = entry.path().filename().string();
+    EXPECT_EQ(!ReadContactTable(text.str(), name).error, name.starts_with("good_"))
+        << name;
+    ++files;
+  }
+  EXPECT_GE(files, 12);
 }
 
 TEST(ProtocolCorpus, IsReadWithoutFault) {

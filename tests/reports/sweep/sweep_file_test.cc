@@ -217,7 +217,7 @@ TEST_F(SweepFileTest, RefusesForeignAndDamagedFiles) {
   }
   std::string version = whole;
   version[63] = 9;  // The last byte of the user version in SQLite's header.
-  EXPECT_THAT(error_of(version), HasSubstr("tables of version 9; expected version 4"));
+  EXPECT_THAT(error_of(version), HasSubstr("tables of version 9; expected version 5"));
 }
 
 TEST_F(SweepFileTest, RefusesAFileThatAnotherSweepWrites) {
