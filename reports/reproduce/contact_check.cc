@@ -163,9 +163,9 @@ FaultCheck ContactSeparationCheck(const FaultSubject& subject) {
 FaultCheck TooDeepCheck(const FaultSubject& subject) {
   FaultCheck check = CheckOfAnswersLike(subject.answer);
   check.statements = fmt::format(
-      "  // No point lies deeper in both bodies than the least translation that "
-      "separates "
-      "them\n  // is long. The true separation is certified to be at least this.\n"
+      "  // No point lies deeper in both bodies than the shortest translation that\n"
+      "  // separates them is long. The true separation is certified to be at least "
+      "this.\n"
       "  const double lo = {};\n"
       "  std::printf(\"truth: separation at least %.17g (negative: overlap)\\n\", lo);\n"
       "  double error = 0;\n"

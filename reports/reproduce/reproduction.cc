@@ -29,8 +29,9 @@ namespace {{
 
 using Vector = std::array<double, 3>;
 
-// A contact with the separation s and the unit normal n out of A into B. It lies midway
-// between its point on A, p - n s/2, and its point on B, p + n s/2.
+// A contact with the separation s and the unit normal n out of A into B. Its position p is
+// taken midway between its point on A, p - n s/2, and its point on B, p + n s/2. Ask() prints
+// the engine's own position, and moves it along n where the engine puts it elsewhere.
 struct Contact {{
   Vector p{{}};
   double s = 0;
