@@ -41,8 +41,7 @@ struct Examined {
                                 subject.answer.touching)),
         stated_W(NormalToJudge(subject.answer)),
         n_W(SupportingDirection(query, stated_W)) {
-    const Enclosure overlap =
-        n_W == stated_W ? OverlapAlong(query, n_W) : Overlap(query, n_W);
+    const Enclosure overlap = Overlap(query, n_W);
     separation = -(overlap.lo + (overlap.hi - overlap.lo) / 2);
   }
 
