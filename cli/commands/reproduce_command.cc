@@ -60,6 +60,11 @@ Written FilesOf(const ChosenFault& fault, bool is_measure_named) {
   for (const Finding* const finding : candidates) {
     try {
       return {FilesOf(fault, *finding), finding};
+    } catch (const CannotCheck& error) {
+      if (reason.empty()) {
+        reason = fmt::format("{}; choose one that the answer fails with --measure",
+                             error.what());
+      }
     } catch (const CannotReproduce& error) {
       if (reason.empty()) reason = error.what();
     }

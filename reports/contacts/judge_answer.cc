@@ -10,6 +10,7 @@
 #include "reports/contacts/body_size.h"
 #include "reports/contacts/exact_scene.h"
 #include "reports/contacts/grade.h"
+#include "reports/contacts/missed_point.h"
 #include "reports/contacts/normal_claim.h"
 #include "reports/contacts/proof.h"
 #include "reports/contacts/tolerance_reasons.h"
@@ -546,7 +547,8 @@ class Judgement {
           [] { return ""; });
       must_span = finding.verdict == Verdict::kFail;
       if (must_span) {
-        const auto missed = CertainlyMissed(patch, n, finding.tolerance);
+        const auto missed = CertainlyMissed(query_, patch, n, SupportedSeparation(),
+                                            answer_.points, finding.tolerance, e);
         is_certain = missed.has_value();
         if (missed) {
           State(ProveUnspanned(dispute_, *missed, unspanned), finding);
@@ -564,31 +566,6 @@ class Judgement {
     if (count.verdict == Verdict::kFail && !is_certain &&
         ContactCountError(0, answer_.points, e) == 0)
       Withdraw(count, "no point that is certified to belong to it is missed");
-  }
-
-  /** Returns a point of the patch that lies farther from the hull of the contacts than
-   `legal` [-] and is certified to belong to the patch: a contact there, as deep as the
-   bodies, lies on both surfaces. Corners are tried first. The polygon around a disc is
-   2 % wider than the disc, so they are then drawn to the middle in such steps.
-
-   A corner is off by e where a face is flat to within e, and a contact may be off by e.
-   */
-  std::optional<Eigen::Vector3d> CertainlyMissed(const ContactPatch& patch,
-                                                 const Eigen::Vector3d& n_W,
-                                                 double legal) {
-    const double separation = SupportedSeparation();
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& corner : patch.vertices_W)
-      middle += corner / static_cast<double>(patch.vertices_W.size());
-    for (const double drawn : {1.0, 0.98, 0.96, 0.94, 0.92, 0.9}) {
-      for (const Eigen::Vector3d& corner : patch.vertices_W) {
-        const Eigen::Vector3d p_W = middle + drawn * (corner - middle);
-        if (UnspannedAt(p_W, patch, n_W, answer_.points) <= legal) continue;
-        const WitnessPoints points = SurfacePointsOf({p_W, separation, {}}, n_W);
-        if (SurfaceError(query_, points) <= 2 * tolerances_.position) return p_W;
-      }
-    }
-    return std::nullopt;
   }
 
   void JudgeMixedNormals() {

@@ -13,4 +13,11 @@ namespace touchstone {
 double ContactOffPatch(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
                        const ContactPoint& contact);
 
+/** Returns the vector from the nearest point of the patch to a contact, across the
+ normal; zero for a contact in the patch. [m] No point of the patch is farther along it,
+ which proves the distance.
+ @pre As for ContactOffPatch(). */
+Eigen::Vector3d OffsetFromPatch(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
+                                const ContactPoint& contact);
+
 }  // namespace touchstone

@@ -12,12 +12,21 @@ double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-double DistanceFromSegment(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                           const Eigen::Vector2d& p) {
+/** Returns the vector to `p` from the nearest point of a segment. */
+Eigen::Vector2d OffsetFromSegment(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                                  const Eigen::Vector2d& p) {
   const Eigen::Vector2d ab = b - a;
   const double length2 = ab.squaredNorm();
   const double t = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * ab).norm();
+  return p - a - t * ab;
+}
+
+bool IsInside(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p) {
+  bool inside = hull.size() > 2;
+  for (std::size_t i = 0; i < hull.size() && inside; ++i) {
+    inside = Cross(hull[(i + 1) % hull.size()] - hull[i], p - hull[i]) >= 0;
+  }
+  return inside;
 }
 
 }  // namespace
@@ -48,18 +57,26 @@ std::vector<Eigen::Vector2d> ConvexHullOf(std::span<const Eigen::Vector2d> point
 double DistanceFromRim(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p) {
   double distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    distance =
-        std::min(distance, DistanceFromSegment(hull[i], hull[(i + 1) % hull.size()], p));
+    distance = std::min(
+        distance, OffsetFromSegment(hull[i], hull[(i + 1) % hull.size()], p).norm());
   }
   return distance;
 }
 
 double DistanceFrom(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p) {
-  bool inside = hull.size() > 2;
-  for (std::size_t i = 0; i < hull.size() && inside; ++i) {
-    inside = Cross(hull[(i + 1) % hull.size()] - hull[i], p - hull[i]) >= 0;
+  return IsInside(hull, p) ? 0 : DistanceFromRim(hull, p);
+}
+
+Eigen::Vector2d OffsetFrom(std::span<const Eigen::Vector2d> hull,
+                           const Eigen::Vector2d& p) {
+  Eigen::Vector2d least = Eigen::Vector2d::Zero();
+  if (IsInside(hull, p)) return least;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Eigen::Vector2d offset =
+        OffsetFromSegment(hull[i], hull[(i + 1) % hull.size()], p);
+    if (i == 0 || offset.norm() < least.norm()) least = offset;
   }
-  return inside ? 0 : DistanceFromRim(hull, p);
+  return least;
 }
 
 std::vector<Eigen::Vector2d> ProjectedAlong(const Eigen::Vector3d& n,
@@ -70,6 +87,11 @@ std::vector<Eigen::Vector2d> ProjectedAlong(const Eigen::Vector3d& n,
   projected.reserve(points.size());
   for (const Eigen::Vector3d& p : points) projected.emplace_back(u.dot(p), v.dot(p));
   return projected;
+}
+
+Eigen::Vector3d LiftedAcross(const Eigen::Vector3d& n, const Eigen::Vector2d& d) {
+  const Eigen::Vector3d u = n.unitOrthogonal();
+  return d.x() * u + d.y() * n.cross(u);
 }
 
 }  // namespace touchstone

@@ -16,6 +16,11 @@ std::vector<Eigen::Vector2d> ConvexHullOf(std::span<const Eigen::Vector2d> point
  @pre `hull` was returned by ConvexHullOf() and is not empty. */
 double DistanceFrom(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p);
 
+/** Returns the vector to `p` from the nearest point of the convex polygon `hull`; zero
+ inside it. @pre As for DistanceFrom(). */
+Eigen::Vector2d OffsetFrom(std::span<const Eigen::Vector2d> hull,
+                           const Eigen::Vector2d& p);
+
 /** Returns the distance of `p`, inside or outside, from the boundary of `hull`. [m]
  @pre `hull` was returned by ConvexHullOf() and is not empty. */
 double DistanceFromRim(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p);
@@ -23,5 +28,9 @@ double DistanceFromRim(std::span<const Eigen::Vector2d> hull, const Eigen::Vecto
 /** Returns the points in coordinates along two axes orthogonal to the unit vector `n`. */
 std::vector<Eigen::Vector2d> ProjectedAlong(const Eigen::Vector3d& n,
                                             std::span<const Eigen::Vector3d> points);
+
+/** Returns the vector across the unit vector `n` whose coordinates along the two axes of
+ ProjectedAlong() are `d`. */
+Eigen::Vector3d LiftedAcross(const Eigen::Vector3d& n, const Eigen::Vector2d& d);
 
 }  // namespace touchstone

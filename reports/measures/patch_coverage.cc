@@ -57,6 +57,7 @@ double Diameter(std::span<const Eigen::Vector2d> points) {
 /** A patch, its contacts and some points, seen along the normal and stretched to unit
  spread. */
 struct Stretched {
+  Eigen::Matrix2d map;
   std::vector<Eigen::Vector2d> corners;
   std::vector<Eigen::Vector2d> contacts;
   std::vector<Eigen::Vector2d> points;
@@ -69,7 +70,7 @@ Stretched StretchedAlong(const Eigen::Vector3d& n_AB_W, const ContactPatch& patc
   for (const ContactPoint& contact : contacts) positions.push_back(contact.p_WC);
   const std::vector<Eigen::Vector2d> plane = ProjectedAlong(n_AB_W, patch.vertices_W);
   const Eigen::Matrix2d map = Whitening(plane);
-  return {Mapped(map, plane), Mapped(map, ProjectedAlong(n_AB_W, positions)),
+  return {map, Mapped(map, plane), Mapped(map, ProjectedAlong(n_AB_W, positions)),
           Mapped(map, ProjectedAlong(n_AB_W, points))};
 }
 
@@ -101,6 +102,20 @@ double UnspannedAt(const Eigen::Vector3d& p_W, const ContactPatch& patch,
   return LargestUnspanned(seen, seen.points);
 }
 
+Eigen::Vector3d ShortfallAt(const Eigen::Vector3d& p_W, const ContactPatch& patch,
+                            const Eigen::Vector3d& n_AB_W,
+                            std::span<const ContactPoint> contacts) {
+  const Stretched seen = StretchedAlong(n_AB_W, patch, contacts, std::span(&p_W, 1));
+  const Eigen::Vector2d offset =
+      OffsetFrom(ConvexHullOf(seen.contacts), seen.points.front());
+  const double diameter = Diameter(seen.corners);
+  if (offset.isZero(0) || diameter == 0) return Eigen::Vector3d::Zero();
+  // Lengths along a unit vector of the stretched plane are those along the image of that
+  // vector under the transposed map.
+  const Eigen::Vector2d across = seen.map.transpose() * offset.normalized();
+  return LiftedAcross(n_AB_W, across / diameter);
+}
+
 double PatchBlur(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W, double e) {
   const std::vector<Eigen::Vector2d> corners =
       ConvexHullOf(ProjectedAlong(n_AB_W, patch.vertices_W));
@@ -118,15 +133,19 @@ double PatchBlur(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W, doubl
 
 double LegalUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
                       std::span<const ContactPoint> contacts) {
-  const std::size_t k = patch.vertices_W.size();
-  if (k <= 4) return kLegalUnspanned;
+  if (patch.vertices_W.size() <= 4) return kLegalUnspanned;
   const Stretched seen = StretchedAlong(n_AB_W, patch, contacts);
   const std::vector<Eigen::Vector2d> rim = ConvexHullOf(seen.corners);
   const double near = kLegalUnspanned * Diameter(rim);
   const auto at_rim = std::count_if(
       seen.contacts.begin(), seen.contacts.end(),
       [&](const Eigen::Vector2d& p) { return DistanceFromRim(rim, p) <= near; });
-  if (at_rim < 3) return kLegalUnspanned;
+  return at_rim < 3 ? kLegalUnspanned : MostLegalUnspanned(patch);
+}
+
+double MostLegalUnspanned(const ContactPatch& patch) {
+  const std::size_t k = patch.vertices_W.size();
+  if (k <= 4) return kLegalUnspanned;
   const bool is_disc = patch.least_contacts == 3;
   if (!is_disc) return kInscribedUnspanned;
   return 0.5 - 0.25 * std::cos(std::numbers::pi / static_cast<double>(k));

@@ -23,6 +23,14 @@ double PatchUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
 double UnspannedAt(const Eigen::Vector3d& p_W, const ContactPatch& patch,
                    const Eigen::Vector3d& n_AB_W, std::span<const ContactPoint> contacts);
 
+/** Returns a vector d across the normal that proves UnspannedAt(): every contact c has
+ d·(p − c) of at least that fraction, and the nearest point of their hull has just that.
+ Zero if the point is in the hull. [1/m]
+ @pre As for UnspannedAt(), and there is a contact. */
+Eigen::Vector3d ShortfallAt(const Eigen::Vector3d& p_W, const ContactPatch& patch,
+                            const Eigen::Vector3d& n_AB_W,
+                            std::span<const ContactPoint> contacts);
+
 /** Returns the fraction of the patch's extent that a computation whose lengths are off by
  `e` [m] may leave unspanned. [-] When the sides of a convex set move inwards by e, the
  rest contains the set shrunk by e / r about the centre of its incircle. Its radius r is
@@ -54,5 +62,10 @@ inline constexpr double kInscribedUnspanned = 0.25;
  @pre The patch has a vertex; `n_AB_W` is a unit vector. */
 double LegalUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
                       std::span<const ContactPoint> contacts);
+
+/** Returns the fraction of `patch` that three contacts or more may leave unspanned where
+ they lie best; fewer may leave kLegalUnspanned.
+ @pre As for LegalUnspanned(). */
+double MostLegalUnspanned(const ContactPatch& patch);
 
 }  // namespace touchstone

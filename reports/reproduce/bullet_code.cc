@@ -85,8 +85,21 @@ constexpr const char* kDispatch = R"(
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
       const btManifoldPoint& c = manifold.getContactPoint(i);
       const btVector3& n = c.m_normalWorldOnB;
-      std::printf("contact %d: distance %.17g, m_normalWorldOnB (%.17g, %.17g, %.17g)\n",
-                  i, double(c.getDistance()), double(n[0]), double(n[1]), double(n[2]));
+      const btVector3& on_A = c.getPositionWorldOnA();
+      const btVector3& on_B = c.getPositionWorldOnB();
+      std::printf("contact %d: distance %.17g, m_normalWorldOnB (%.17g, %.17g, %.17g), "
+                  "getPositionWorldOnA (%.17g, %.17g, %.17g), "
+                  "getPositionWorldOnB (%.17g, %.17g, %.17g)\n", i,
+                  double(c.getDistance()), double(n[0]), double(n[1]), double(n[2]),
+                  double(on_A[0]), double(on_A[1]), double(on_A[2]), double(on_B[0]),
+                  double(on_B[1]), double(on_B[2]));
+      Contact contact;
+      contact.s = c.getDistance();
+      for (int k = 0; k < 3; ++k) {
+        contact.p[k] = (double(on_A[k]) + double(on_B[k])) / 2;
+        contact.n[k] = sign * n[k];
+      }
+      answer.contacts.push_back(contact);
       if (any && !(c.getDistance() < answer.separation)) continue;
       any = true;
       answer.separation = c.getDistance();
@@ -95,6 +108,8 @@ constexpr const char* kDispatch = R"(
   }
   if (!any) std::printf("processCollision: no contact\n");
   answer.touching = any && answer.separation <= 0;
+  // A manifold also holds points of bodies that are apart.
+  if (!answer.touching) answer.contacts.clear();
   // The dispatcher's pool hands out raw memory.
   algorithm->~btCollisionAlgorithm();
   dispatcher.freeCollisionAlgorithm(algorithm);

@@ -123,6 +123,8 @@ constexpr const char* kAsk = R"(
   if (!answer.touching) return answer;
   answer.separation = -depth;
   answer.n = {{ccdVec3X(&n), ccdVec3Y(&n), ccdVec3Z(&n)}};
+  answer.contacts.push_back(
+      {{{{ccdVec3X(&p), ccdVec3Y(&p), ccdVec3Z(&p)}}, answer.separation, answer.n}});
   return answer;
 )";
 

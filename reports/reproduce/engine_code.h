@@ -14,13 +14,20 @@ class CannotReproduce : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/** A measure that no program can check. what() also names those that one can. */
+class CannotCheck : public CannotReproduce {
+ public:
+  using CannotReproduce::CannotReproduce;
+};
+
 /** The parts of a program that depend on the engine. */
 struct EngineCode {
   std::string includes;  ///< The engine's headers, as #include lines.
   /** Definitions that `ask` uses, at namespace scope. */
   std::string definitions;
   /** The body of `Answer Ask()`: puts the question to the engine with the settings of our
-   adapter, prints the engine's own numbers, and returns them from A to B. */
+   adapter, prints the engine's own numbers, and returns them from A to B. Contacts lie
+   where the adapter reads them. */
   std::string ask;
   std::string find;  ///< CMake lines that define the target `engine`.
   /** The call and its settings in the engine's terms, one sentence without a stop. */

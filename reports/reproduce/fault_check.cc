@@ -1,11 +1,15 @@
 #include "reports/reproduce/fault_check.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "reports/reproduce/contact_check.h"
 #include "reports/reproduce/cpp_text.h"
 #include "reports/reproduce/engine_code.h"
+#include "reports/reproduce/fault_subject.h"
+#include "reports/reproduce/patch_check.h"
 
 namespace touchstone {
 namespace {
@@ -93,17 +97,29 @@ std::string Truth(const ContactTruth& truth) {
 /** A normal of this accuracy is one of unit length, also in single precision. [-] */
 constexpr double kUnitSlack = 1e-6;
 
+/** Returns `check` for answers that decide as `answer` does. */
+FaultCheck OfAnswersLike(const ContactAnswer& answer, FaultCheck check) {
+  check.applies = SaysTouching(answer.touching);
+  check.applies_to = answer.touching ? "touching" : "apart";
+  return check;
+}
+
+/** Returns `check` for answers that decide as `answer` does, or have a separation. */
+FaultCheck OfSeparationsLike(const ContactAnswer& answer, FaultCheck check) {
+  check = OfAnswersLike(answer, std::move(check));
+  check.applies += " || !std::isnan(answer.separation)";
+  check.applies_to += ", or one that has a separation";
+  return check;
+}
+
 /** The check of an answer that is invalid. */
 FaultCheck InvalidityCheck(const ContactAnswer& answer) {
-  // An engine that decides otherwise need not give the numbers.
-  const std::string same_decision =
-      fmt::format("  const bool as_before = answer.touching == {};\n", answer.touching);
   if (answer.separation && !std::isfinite(*answer.separation)) {
-    return {
-        "",
-        same_decision +
-            "  const double error = !as_before || std::isfinite(answer.separation) ? 0 "
-            ": std::numeric_limits<double>::infinity();\n"};
+    return OfAnswersLike(
+        answer,
+        {.definitions = "",
+         .statements = "  const double error = std::isfinite(answer.separation) ? 0 : "
+                       "std::numeric_limits<double>::infinity();\n"});
   }
   if (!answer.n_AB_W || std::abs(answer.n_AB_W->norm() - 1) <= kUnitSlack) {
     throw CannotReproduce(fmt::format(
@@ -111,16 +127,15 @@ FaultCheck InvalidityCheck(const ContactAnswer& answer) {
         "the normal has length 1 to {}",
         kUnitSlack));
   }
-  return {
-      "",
-      same_decision +
-          fmt::format(
-              "  const double length = std::hypot(answer.n[0], answer.n[1], "
-              "answer.n[2]);\n"
-              "  std::printf(\"length of the normal: %.17g\\n\", length);\n"
-              "  const double deviation = std::abs(length - 1);\n"
-              "  const double error = !as_before || deviation <= {} ? 0 : deviation;\n",
-              kUnitSlack)};
+  return OfAnswersLike(
+      answer,
+      {.definitions = "",
+       .statements = fmt::format(
+           "  const double length = std::hypot(answer.n[0], answer.n[1], answer.n[2]);\n"
+           "  std::printf(\"length of the normal: %.17g\\n\", length);\n"
+           "  const double deviation = std::abs(length - 1);\n"
+           "  const double error = deviation <= {} ? 0 : deviation;\n",
+           kUnitSlack)});
 }
 
 }  // namespace
@@ -130,9 +145,12 @@ bool IsWithoutAnswer(const Finding& finding) {
          (finding.verdict == Verdict::kCrashed || finding.verdict == Verdict::kTimedOut);
 }
 
-FaultCheck CheckOf(const Finding& finding, const ScenarioResult& result) {
+FaultCheck CheckOf(const Finding& finding, const ScenarioResult& result,
+                   const OracleInfo& oracle) {
+  const ContactAnswer none;
+  const ContactAnswer& answer = result.answers.empty() ? none : result.answers.front();
   if (finding.measure == MeasureKind::kAnswering && finding.verdict == Verdict::kInvalid)
-    return InvalidityCheck(result.answers.front());
+    return InvalidityCheck(answer);
   if (finding.verdict != Verdict::kFail) {
     throw CannotReproduce(fmt::format(
         "the verdict of {} is '{}'; expected a wrong answer, or one that is missing",
@@ -140,44 +158,75 @@ FaultCheck CheckOf(const Finding& finding, const ScenarioResult& result) {
   }
   const ContactQuery& query = result.scenario.contact;
   const ContactTruth& truth = result.truth;
+  const FaultSubject subject{finding, result.scenario, truth, answer, oracle};
   switch (finding.measure) {
     case MeasureKind::kTouching:
-      return {"",
-              Truth(truth) +
+      return {.definitions = "",
+              .statements =
+                  Truth(truth) +
                   fmt::format("  const double error = answer.touching == {} ? 0 : 1;\n",
                               truth.separation.lo > 0 ? "false" : "true")};
     case MeasureKind::kSeparationError:
-      return {"", Truth(truth) +
-                      "  const double s = answer.separation;\n"
-                      "  const double error = std::isnan(s) ? s : std::max({0.0, lo - s, "
-                      "s - hi});\n"};
+      return OfSeparationsLike(
+          answer,
+          {.definitions = "",
+           .statements = Truth(truth) +
+                         "  const double s = answer.separation;\n"
+                         "  const double error = std::isnan(s) ? s : std::max({0.0, lo - "
+                         "s, s - hi});\n"});
     case MeasureKind::kConsistencyError:
-      return {Overlap(query),
-              Truth(truth) +
-                  "  const double along = Overlap(answer.n);\n"
-                  "  std::printf(\"overlap along its own normal: %.17g\\n\", along);\n"
-                  "  const double error = std::abs(-answer.separation - along);\n"};
+      return OfSeparationsLike(
+          answer,
+          {.definitions = Overlap(query),
+           .statements =
+               Truth(truth) +
+               "  const double along = Overlap(answer.n);\n"
+               "  std::printf(\"overlap along its own normal: %.17g\\n\", along);\n"
+               "  const double error = std::abs(-answer.separation - along);\n"});
     case MeasureKind::kExcess:
-      return {Overlap(query),
-              Truth(truth) +
-                  "  const double along = Overlap(answer.n);\n"
-                  "  std::printf(\"overlap along its own normal: %.17g\\n\", along);\n"
-                  "  const double error = along + lo;\n"};
+      return OfAnswersLike(
+          answer,
+          {.definitions = Overlap(query),
+           .statements =
+               Truth(truth) +
+               "  const double along = Overlap(answer.n);\n"
+               "  std::printf(\"overlap along its own normal: %.17g\\n\", along);\n"
+               "  const double error = along + lo;\n"});
     case MeasureKind::kDualityGap:
-      return {Overlap(query),
-              Truth(truth) +
-                  "  Vector n;\n"
-                  "  for (int i = 0; i < 3; ++i) n[i] = answer.b[i] - answer.a[i];\n"
-                  "  const double length = std::hypot(n[0], n[1], n[2]);\n"
-                  "  for (double& x : n) x /= length;\n"
-                  "  const double gap = -Overlap(n);\n"
-                  "  std::printf(\"distance of its points: %.17g, gap along them: "
-                  "%.17g\\n\", length, gap);\n"
-                  "  const double error = std::abs(length - gap);\n"};
+      return OfAnswersLike(
+          answer, {.definitions = Overlap(query),
+                   .statements =
+                       Truth(truth) +
+                       "  Vector n;\n"
+                       "  for (int i = 0; i < 3; ++i) n[i] = answer.b[i] - answer.a[i];\n"
+                       "  const double length = std::hypot(n[0], n[1], n[2]);\n"
+                       "  for (double& x : n) x /= length;\n"
+                       "  const double gap = -Overlap(n);\n"
+                       "  std::printf(\"distance of its points: %.17g, gap along them: "
+                       "%.17g\\n\", length, gap);\n"
+                       "  const double error = std::abs(length - gap);\n"});
+    case MeasureKind::kContactSurfaceError:
+      return SurfaceErrorCheck(subject);
+    case MeasureKind::kContactSeparationError:
+      return ContactSeparationCheck(subject);
+    case MeasureKind::kContactTooDeep:
+      return TooDeepCheck(subject);
+    case MeasureKind::kContactOffPatch:
+      return OffPatchCheck(subject);
+    case MeasureKind::kPatchCoverage:
+      return CoverageCheck(subject);
+    case MeasureKind::kContactCount:
+      return CountCheck(subject);
+    case MeasureKind::kMixedNormals:
+      return MixedNormalsCheck(subject);
+    case MeasureKind::kWitnessError:
+      return WitnessErrorCheck(subject);
     default:
-      throw CannotReproduce(fmt::format(
-          "a program cannot check {}; expected --measure with one of: touching, "
-          "separation_error, consistency_error, excess, duality_gap",
+      throw CannotCheck(fmt::format(
+          "a program cannot check {}; it can check touching, separation_error, "
+          "consistency_error, excess, duality_gap, witness_error, contact_surface_error, "
+          "contact_separation_error, contact_too_deep, contact_off_patch, "
+          "patch_coverage, contact_count and mixed_normals",
           NameOf(finding.measure)));
   }
 }

@@ -75,12 +75,30 @@ constexpr const char* kCollide = R"(
     std::printf("contact %zu: penetration_depth %.17g, normal (%.17g, %.17g, %.17g), "
                 "pos (%.17g, %.17g, %.17g)\n", i, c.penetration_depth, c.normal[0],
                 c.normal[1], c.normal[2], c.pos[0], c.pos[1], c.pos[2]);
+    const double shift = {1};
+    Contact contact;
+    contact.s = -c.penetration_depth;
+    for (int k = 0; k < 3; ++k) {{
+      contact.n[k] = c.normal[k];
+      contact.p[k] = c.pos[k] + shift * c.normal[k];
+    }}
+    answer.contacts.push_back(contact);
     if (i > 0 && !(-c.penetration_depth < answer.separation)) continue;
     answer.separation = -c.penetration_depth;
     answer.n = {{c.normal[0], c.normal[1], c.normal[2]}};
   }}
   return answer;
 )";
+
+/** Writes the shift from Contact::pos to midway, see oracles/fcl/fcl_contact_point.h. */
+std::string ShiftText(const ContactQuery& query) {
+  const auto* const A = std::get_if<Sphere>(&query.A.shape);
+  const auto* const B = std::get_if<Sphere>(&query.B.shape);
+  if (A == nullptr || B == nullptr) return "0";
+  return fmt::format(
+      "({0} / ({0} + {1}) - 0.5) * c.penetration_depth;  // FCL weights by the radii",
+      Literal(A->radius), Literal(B->radius));
+}
 
 constexpr const char* kDistance = R"(
   fcl::DistanceRequestd request;
@@ -119,7 +137,7 @@ EngineCode FclCode(const ContactQuery& query, const std::string& oracle) {
   code.package = "libfcl-dev";
   if (oracle.starts_with("fcl/collide")) {
     code.includes = "#include <fcl/fcl.h>\n#include <fcl/narrowphase/collision.h>\n";
-    code.ask = bodies + fmt::format(kCollide, solver);
+    code.ask = bodies + fmt::format(kCollide, solver, ShiftText(query));
     code.call = fmt::format(
         "fcl::collide with gjk_solver_type {}, gjk_tolerance 1e-6 (the default), 8 "
         "contacts",

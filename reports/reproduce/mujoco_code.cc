@@ -65,10 +65,12 @@ constexpr const char* kAsk = R"(  mjModel* const model = Load(kModel);
     std::printf("contact %d: dist %.17g, normal (%.17g, %.17g, %.17g), "
                 "pos (%.17g, %.17g, %.17g)\n", i, c.dist, c.frame[0], c.frame[1],
                 c.frame[2], c.pos[0], c.pos[1], c.pos[2]);
+    const double sign = swapped ? -1 : 1;
+    const Vector n = {sign * c.frame[0], sign * c.frame[1], sign * c.frame[2]};
+    answer.contacts.push_back({{c.pos[0], c.pos[1], c.pos[2]}, c.dist, n});
     if (i > 0 && !(c.dist < answer.separation)) continue;
     answer.separation = c.dist;
-    const double sign = swapped ? -1 : 1;
-    answer.n = {sign * c.frame[0], sign * c.frame[1], sign * c.frame[2]};
+    answer.n = n;
   }
   return answer;
 )";

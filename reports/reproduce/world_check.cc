@@ -318,11 +318,9 @@ WorldCheck CheckOf(const Finding& finding, const WorldScenario& scenario,
       check = search.Momentum();
       break;
     default:
-      throw CannotReproduce(fmt::format(
-          "a program cannot check {} of a world; expected --measure with one of: "
-          "penetration, passage, position_error, velocity_error, spin_error, "
-          "energy_drift, "
-          "momentum_drift",
+      throw CannotCheck(fmt::format(
+          "a program cannot check {} of a world; it can check penetration, passage, "
+          "position_error, velocity_error, spin_error, energy_drift and momentum_drift",
           NameOf(finding.measure)));
   }
   if (check) return *check;

@@ -1081,6 +1081,8 @@ TEST_F(CommandLineTest, ReproducesTheGravestFindingThatAProgramCanCheck) {
   const Ended named = Itself(question + " --measure perturbation");
   EXPECT_EQ(named.code, 2);
   EXPECT_THAT(named.err, HasSubstr("cannot be reproduced"));
+  EXPECT_THAT(named.err, HasSubstr("mixed_normals; choose one that the answer fails with "
+                                   "--measure"));
 }
 
 TEST_F(CommandLineTest, SubmitsToSlurmOnceAndOnlyTheSweepOfTheFolder) {

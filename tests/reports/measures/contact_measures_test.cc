@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -91,6 +93,38 @@ TEST(ContactOffPatch, DoesNotCountTheDistanceAlongTheNormal) {
   ContactPoint contact = s.right.points[0];
   contact.p_WC += 0.4 * *s.right.n_AB_W;
   EXPECT_LE(ContactOffPatch(point, *s.right.n_AB_W, contact), kRounding);
+}
+
+TEST(OffsetFromPatch, IsAsLongAsTheDistanceAndLeavesThePatchBehind) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  const ContactPatch patch = PatchOf(s);
+  const Eigen::Vector3d& n_W = *s.right.n_AB_W;
+  ContactPoint contact = s.right.points[0];
+  EXPECT_LE(OffsetFromPatch(patch, n_W, contact).norm(), kRounding);
+  contact.p_WC += 0.011 * s.query.B.X_WB.R_WB.col(0) + 0.3 * n_W;
+  const Eigen::Vector3d off_W = OffsetFromPatch(patch, n_W, contact);
+  EXPECT_DOUBLE_EQ(off_W.norm(), ContactOffPatch(patch, n_W, contact));
+  EXPECT_NEAR(off_W.dot(n_W), 0, kRounding);
+  const Eigen::Vector3d nearest_W = contact.p_WC - off_W;
+  for (const Eigen::Vector3d& corner_W : patch.vertices_W)
+    EXPECT_LE(off_W.dot(corner_W - nearest_W), kRounding);
+}
+
+TEST(ShortfallAt, ProvesTheShareThatIsUnspannedAtAPoint) {
+  // A slab, since the stretched plane differs from the plane itself.
+  ContactPatch patch;
+  patch.vertices_W = {{1, 0.1, 0}, {-1, 0.1, 0}, {-1, -0.1, 0}, {1, -0.1, 0}};
+  const Eigen::Vector3d n_W = Eigen::Vector3d::UnitZ();
+  const std::vector<ContactPoint> contacts = {
+      {{0.9, 0.02, 0}, -1e-3, {}}, {{-1, 0.1, 0}, -1e-3, {}}, {{0, -0.1, 0}, -1e-3, {}}};
+  for (const Eigen::Vector3d& corner_W : patch.vertices_W) {
+    const Eigen::Vector3d d_W = ShortfallAt(corner_W, patch, n_W, contacts);
+    double least = 1;
+    for (const ContactPoint& contact : contacts)
+      least = std::min(least, d_W.dot(corner_W - contact.p_WC));
+    EXPECT_NEAR(least, UnspannedAt(corner_W, patch, n_W, contacts), 1e-14);
+    EXPECT_EQ(d_W.z(), 0);
+  }
 }
 
 double Unspanned(const Specimen& s, std::span<const ContactPoint> contacts) {

@@ -1,5 +1,5 @@
 # Writes a fault as a program, builds and runs it, and compares its answer with that of the
-# adapter, digit by digit. Detects programs that do not compile, that set up the engine
+# adapter, digit by digit, and its error with the value of the finding. Detects programs that do not compile, that set up the engine
 # otherwise than the adapter does, and that miss the fault.
 #   cmake -D PROGRAM=<touchstone> -D ORACLE=<name> -D SCENARIO=<id> -D MEASURE=<name>
 #         -D CXX=<compiler> -D WORK=<scratch dir> -P program_test.cmake
@@ -44,3 +44,10 @@ string(FIND "${output}" "${expected}" found)
 if(found EQUAL -1)
   message(FATAL_ERROR "the adapter's answer is not that of the program; expected ${expected}")
 endif()
+
+# A rounding of the scene may be more than 12 digits of a small error. Decisions have no size.
+if(MEASURE STREQUAL "touching")
+  return()
+endif()
+set(SLACK 1e-14)
+include(${CMAKE_CURRENT_LIST_DIR}/compare_error.cmake)

@@ -313,7 +313,7 @@ TEST_F(WorldReproductionTest, ComputesTheWayOfASphereThroughWhatIsFixed) {
 TEST_F(WorldReproductionTest, RefusesMeasuresWithoutACheck) {
   finding_.measure = MeasureKind::kRestMotion;
   EXPECT_THAT(Reason(), AllOf(HasSubstr("cannot check rest_motion"),
-                              HasSubstr("expected --measure with one of: penetration")));
+                              HasSubstr("it can check penetration, passage")));
 }
 
 TEST_F(WorldReproductionTest, RefusesACrash) {
