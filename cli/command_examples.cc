@@ -237,6 +237,7 @@ what was tried. A crash or a hang is a fault, too.
      R"(
   touchstone shrink contact/zoo/fcl_508y --oracle fcl/distance
   touchstone shrink mine.toml --oracle ode --measure excess --out small.toml
+  touchstone shrink mine.toml --oracle ode --keep 'separation_error > 0.1'
   touchstone run small.toml --subject ode --against ode
 )",
      kShown},

@@ -535,8 +535,9 @@ class CommandLine {
   }
 
   void AddTriage() {
-    CLI::App* app = AddCommand("triage", "Find the root causes of the failures of a sweep",
-                               [this] { return TriageCommand(session_, triage_); });
+    CLI::App* app =
+        AddCommand("triage", "Find the root causes of the failures of a sweep",
+                   [this] { return TriageCommand(session_, triage_); });
     app->add_option("DIR", triage_.source,
                     "folder that `touchstone sweep --out` or `touchstone run --out` "
                     "wrote, or its sweep.sqlite or report.data")
@@ -683,6 +684,10 @@ class CommandLine {
                     "measure that finds it, e.g. separation_error (default: the simplest "
                     "proof of the gravest fault)")
         ->type_name("MEASURE");
+    app->add_option("--keep", fault.keep,
+                    "the same with a size, e.g. 'separation_error > 0.1'")
+        ->type_name("'MEASURE > NUMBER'")
+        ->excludes("--measure");
   }
 
   void AddShrink() {

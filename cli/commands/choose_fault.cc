@@ -1,6 +1,8 @@
 #include "cli/commands/choose_fault.h"
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -37,6 +39,36 @@ std::optional<MeasureKind> MeasureOf(const std::string& name) {
                                DidYouMean(name, names), fmt::join(names, ", ")));
 }
 
+/** A fault as the options name it. */
+struct Wanted {
+  std::optional<MeasureKind> measure;
+  std::optional<double> over;
+};
+
+std::string Trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(' ');
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
+Wanted WantedBy(const FaultSelection& selection) {
+  if (selection.keep.empty()) return {MeasureOf(selection.measure), std::nullopt};
+  const std::size_t sign = std::min(selection.keep.find('>'), selection.keep.size());
+  const std::string name = Trimmed(selection.keep.substr(0, sign));
+  const std::string number =
+      Trimmed(selection.keep.substr(std::min(sign + 1, selection.keep.size())));
+  double over = 0;
+  const char* const end = number.data() + number.size();
+  const auto read = std::from_chars(number.data(), end, over);
+  if (name.empty() || read.ec != std::errc() || read.ptr != end || !(over >= 0)) {
+    throw InputError(fmt::format(
+        "--keep {}: cannot be read; expected a measure and a number that its value stays "
+        "over, e.g. 'separation_error > 0.1'",
+        selection.keep));
+  }
+  return {MeasureOf(name), over};
+}
+
 std::vector<const Oracle*> OraclesOf(const Session& session, const std::string& pattern) {
   // "bullet" is an oracle and a group: it means the oracle.
   if (const Oracle* const exact = session.registry.Find(pattern)) return {exact};
@@ -47,15 +79,16 @@ std::vector<const Oracle*> OraclesOf(const Session& session, const std::string& 
 }
 
 /** Returns the fault of the only oracle of `report`; null if it has none. */
-const Finding* FaultIn(const RunReport& report, std::optional<MeasureKind> measure) {
-  if (!measure) {
+const Finding* FaultIn(const RunReport& report, const Wanted& wanted) {
+  if (!wanted.measure) {
     const std::vector<Outcome> outcomes = OutcomesOf(report);
     const Outcome& outcome = outcomes.front();
     return IsFailure(outcome.verdict) ? outcome.decisive : nullptr;
   }
   const auto found = std::find_if(
       report.findings.begin(), report.findings.end(), [&](const Finding& finding) {
-        return finding.measure == *measure && IsFailure(finding.verdict);
+        return finding.measure == *wanted.measure && IsFailure(finding.verdict) &&
+               !(wanted.over && finding.value <= *wanted.over);
       });
   return found == report.findings.end() ? nullptr : &*found;
 }
@@ -74,14 +107,14 @@ bool IsIndicted(const ChosenFault& fault) {
 }  // namespace
 
 ChosenFault ChooseFault(const Session& session, const FaultSelection& selection) {
-  const std::optional<MeasureKind> measure = MeasureOf(selection.measure);
+  const Wanted wanted = WantedBy(selection);
   const std::vector<const Oracle*> oracles = OraclesOf(session, selection.oracle);
   const Question question = OnlyQuestion(selection.scenarios);
   std::vector<ChosenFault> faults;
   std::string reason;  // Why the last oracle does not answer.
   for (const Oracle* const oracle : oracles) {
-    ChosenFault fault{question, oracle, AskAlone(question, *oracle), {}};
-    if (const Finding* const finding = FaultIn(fault.report, measure)) {
+    ChosenFault fault{question, oracle, AskAlone(question, *oracle), {}, wanted.over};
+    if (const Finding* const finding = FaultIn(fault.report, wanted)) {
       fault.finding = *finding;
       faults.push_back(std::move(fault));
     } else {
@@ -105,8 +138,11 @@ ChosenFault ChooseFault(const Session& session, const FaultSelection& selection)
         "{} is proved wrong{} in {}{}; expected a fault",
         oracles.size() == 1 ? "no answer of " + oracles.front()->info().name
                             : "no oracle",
-        measure ? fmt::format(" in {}", NameOf(*measure)) : "", IdOf(question),
-        oracles.size() == 1 && !reason.empty() ? ": " + reason : ""));
+        !wanted.measure ? ""
+        : !wanted.over  ? fmt::format(" in {}", NameOf(*wanted.measure))
+                        : fmt::format(" in {} by more than {}", NameOf(*wanted.measure),
+                                      *wanted.over),
+        IdOf(question), oracles.size() == 1 && !reason.empty() ? ": " + reason : ""));
   }
   return std::move(faults.front());
 }

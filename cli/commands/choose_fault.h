@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/select_scenarios.h"
@@ -15,14 +16,19 @@ struct FaultSelection {
    all. */
   std::string oracle;
   std::string measure;  ///< Name of a measure; empty: any.
+  /** "MEASURE > NUMBER", in place of `measure`; empty: none. */
+  std::string keep;
+
+  bool names_a_measure() const { return !measure.empty() || !keep.empty(); }
 };
 
 /** A fault of an oracle in one scenario. */
 struct ChosenFault {
   Question question;
   const Oracle* oracle;
-  RunReport report;  ///< That of AskAlone(question, *oracle).
-  Finding finding;   ///< The fault.
+  RunReport report;            ///< That of AskAlone(question, *oracle).
+  Finding finding;             ///< The fault.
+  std::optional<double> over;  ///< The number of FaultSelection::keep.
 };
 
 /** Returns the fault that `selection` means. If several oracles of the selection are
@@ -30,7 +36,7 @@ struct ChosenFault {
  the simplest proof of the gravest, Outcome::decisive. The ledger is not asked.
 
  Throws InputError if that is not one scenario, if nothing is wrong in it, and, with all
- their names, if several oracles are. */
+ their names, if several oracles are; also if `keep` cannot be read. */
 ChosenFault ChooseFault(const Session& session, const FaultSelection& selection);
 
 }  // namespace touchstone

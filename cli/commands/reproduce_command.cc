@@ -77,7 +77,7 @@ Written FilesOf(const ChosenFault& fault, bool is_measure_named) {
 
 int ReproduceCommand(const Session& session, const ReproduceArguments& arguments) {
   const ChosenFault fault = ChooseFault(session, arguments.fault);
-  const Written written = FilesOf(fault, !arguments.fault.measure.empty());
+  const Written written = FilesOf(fault, arguments.fault.names_a_measure());
   const OutputFolder folder(arguments.out);
   folder.Write("reproduce.cc", [&](std::ostream& out) { out << written.files.program; });
   folder.Write("CMakeLists.txt", [&](std::ostream& out) { out << written.files.build; });

@@ -27,6 +27,7 @@ int ShrinkCommand(const Session& session, const ShrinkArguments& arguments) {
   const auto tries = static_cast<std::size_t>(arguments.tries);
   const Shrunk shrunk = Shrink(fault.question, *fault.oracle, fault.finding,
                                {.tries = tries,
+                                .over = fault.over,
                                 .on_try = [&](std::size_t n) { bar->Show(n, tries); },
                                 .stop = [] { return Interrupt::signal() != 0; }});
   bar.reset();

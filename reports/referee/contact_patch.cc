@@ -39,6 +39,7 @@ class Plane {
 std::vector<Eigen::Vector2d> Project(const Plane& plane,
                                      const std::vector<Eigen::Vector3d>& points) {
   std::vector<Eigen::Vector2d> projected;
+  projected.reserve(points.size());
   for (const Eigen::Vector3d& p : points) projected.push_back(plane.Project(p));
   return projected;
 }

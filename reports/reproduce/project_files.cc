@@ -23,9 +23,9 @@ std::string ReportFile(const ReportParts& parts, const OracleInfo& oracle,
                        const EngineCode& engine, const Finding& finding) {
   const std::string truth =
       parts.truth.empty() ? "" : fmt::format("## Truth\n\n{}\n\n", parts.truth);
-  // A missing answer has no error.
+  // Neither a missing answer nor a wrong decision has an error that could be smaller.
   const std::string error =
-      finding.verdict == Verdict::kFail
+      finding.verdict == Verdict::kFail && finding.measure != MeasureKind::kTouching
           ? fmt::format("The error is {:.3g} where {:.3g} is allowed: {}.\n\n",
                         finding.value, finding.tolerance, finding.tolerance_because)
           : "";

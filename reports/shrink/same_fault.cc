@@ -14,11 +14,15 @@ double ExcessOf(const Finding& finding) {
 
 }  // namespace
 
-bool IsSameFault(const Finding& finding, const Finding& original) {
+bool IsSameFault(const Finding& finding, const Finding& original,
+                 std::optional<double> over) {
+  const bool is_large_enough =
+      over ? finding.value > *over
+           : finding.grade >= original.grade &&
+                 ExcessOf(finding) >= std::min(ExcessOf(original) / 2, kClearExcess);
   return finding.oracle == original.oracle && finding.measure == original.measure &&
          finding.law == original.law && finding.verdict == original.verdict &&
-         finding.cause == original.cause && finding.grade >= original.grade &&
-         ExcessOf(finding) >= std::min(ExcessOf(original) / 2, kClearExcess) &&
+         finding.cause == original.cause && is_large_enough &&
          KindOfProof(finding.proof) == KindOfProof(original.proof);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "reports/finding/finding.h"
 
 namespace touchstone {
@@ -11,7 +13,10 @@ inline constexpr double kClearExcess = 1000;
 /** Returns whether `finding` shows the same fault as `original`, found on another
  question: by the same oracle, measure, law, verdict and kind of proof. Its grade must be
  at least as grave. Its value must exceed its tolerance at least half as many times as the
- original did, or kClearExcess times: a fault must not shrink into a rounding. */
-bool IsSameFault(const Finding& finding, const Finding& original);
+ original did, or kClearExcess times: a fault must not shrink into a rounding.
+ @param over If not empty, the value must be over this, and the two rules of size do not
+ apply. [unit of the measure] */
+bool IsSameFault(const Finding& finding, const Finding& original,
+                 std::optional<double> over = std::nullopt);
 
 }  // namespace touchstone

@@ -39,7 +39,8 @@ class Search {
         fault_(fault),
         options_(options),
         family_(FamilyOf(question, oracle.info())),
-        result_{.question = question, .finding = fault, .shifts = {}} {
+        result_{
+            .question = question, .finding = fault, .over = options.over, .shifts = {}} {
     ForgetAnswers(result_.question);
     size_ = SizeOf(result_.question);
     result_.shifts = ShiftsWithFault(result_.question, kShifts);
@@ -108,7 +109,7 @@ class Search {
       ++hangs_;
     }
     const auto same = std::ranges::find_if(report.findings, [&](const Finding& finding) {
-      return IsSameFault(finding, fault_);
+      return IsSameFault(finding, fault_, options_.over);
     });
     if (same == report.findings.end()) return std::nullopt;
     return std::move(*same);

@@ -18,6 +18,9 @@ struct ShrinkOptions {
   /** The greatest number of smaller questions that are asked. Their shifts are asked in
    addition. */
   std::size_t tries = 5000;
+  /** What the value of the fault must stay over, in place of the rules of IsSameFault().
+   [unit of the measure] */
+  std::optional<double> over = std::nullopt;
   /** Limit of the answers that time out: each takes seconds. */
   std::size_t hangs = std::numeric_limits<std::size_t>::max();
   /** Called before each question with the number of those asked; may be empty. */
@@ -29,10 +32,11 @@ struct ShrinkOptions {
 /** The result of Shrink(). */
 struct Shrunk {
   Question question;
-  Finding finding;           ///< The fault, found on `question`.
-  std::size_t tried = 0;     ///< Candidates that the oracle was asked.
-  std::size_t accepted = 0;  ///< Those of them that showed the fault and were kept.
-  bool is_smallest = false;  ///< No reduction makes it smaller; else it was cut short.
+  Finding finding;             ///< The fault, found on `question`.
+  std::size_t tried = 0;       ///< Candidates that the oracle was asked.
+  std::size_t accepted = 0;    ///< Those of them that showed the fault and were kept.
+  bool is_smallest = false;    ///< No reduction makes it smaller; else it was cut short.
+  std::optional<double> over;  ///< Same as ShrinkOptions::over.
   /** Number of ShiftsOf() the question that show the fault, too; empty for a world or a
    hang, or if the search was stopped. */
   std::optional<std::size_t> shifts;

@@ -1,5 +1,7 @@
 #include "reports/shrink/shrunk_file.h"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "reports/shrink/shifts.h"
@@ -36,10 +38,12 @@ Question ScenarioOf(const Shrunk& shrunk, const Question& original) {
 }
 
 std::string FileOf(const Shrunk& shrunk, const Question& original) {
+  const std::string_view measure = NameOf(shrunk.finding.measure);
   return Comment(fmt::format(
-             "Shrunk by `touchstone shrink {} --oracle {} --measure {}`: {} asked, {} "
-             "kept{}.",
-             IdOf(original), shrunk.finding.oracle, NameOf(shrunk.finding.measure),
+             "Shrunk by `touchstone shrink {} --oracle {} {}`: {} asked, {} kept{}.",
+             IdOf(original), shrunk.finding.oracle,
+             shrunk.over ? fmt::format("--keep '{} > {}'", measure, *shrunk.over)
+                         : fmt::format("--measure {}", measure),
              Counted(shrunk.tried, "smaller question"), shrunk.accepted,
              shrunk.is_smallest ? "" : "; it ended before the smallest")) +
          Comment(Sentence(shrunk.finding)) +

@@ -186,6 +186,7 @@ std::string CaseFile(const Root& root) {
   const Specimen& smallest = root.smallest();
   const Shrunk shrunk{.question = smallest.question,
                       .finding = smallest.finding,
+                      .over = {},
                       .shifts = smallest.shifts};
   return Commented(fmt::format("From {}.", IdOf(smallest.original)), "# ") +
          Commented(Sentence(smallest.finding), "# ") +

@@ -113,7 +113,7 @@ Failures FailuresOf(const RunQuestions& run, std::span<const OracleTally> again)
                AskedOf(question).what, symptoms, failures);
     if (again[i].failures.empty()) ++failures.vanished;
   }
-  failures.symptoms = GravestFirst(std::move(symptoms));
+  failures.symptoms = GravestFirst(symptoms);
   return failures;
 }
 

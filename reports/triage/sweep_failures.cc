@@ -56,7 +56,7 @@ Failures FailuresOf(const SweepFile& file, const std::set<std::string>& oracles)
   for (const auto& [key, symptom] : symptoms) {
     for (const FailedQuestion& failure : symptom.kept) RequireReadable(failure, file);
   }
-  result.symptoms = GravestFirst(std::move(symptoms));
+  result.symptoms = GravestFirst(symptoms);
   return result;
 }
 

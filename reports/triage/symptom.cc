@@ -21,14 +21,14 @@ bool IsFault(Verdict verdict) {
 
 }  // namespace
 
-std::vector<Symptom> GravestFirst(Symptoms symptoms) {
+std::vector<Symptom> GravestFirst(const Symptoms& symptoms) {
   std::vector<Symptom> sorted;
-  for (auto& [key, symptom] : symptoms) {
-    if (symptom.kept.empty()) continue;
+  for (const auto& [key, found] : symptoms) {
+    if (found.kept.empty()) continue;
+    Symptom& symptom = sorted.emplace_back(found);
     symptom.key = key;
     std::ranges::stable_sort(symptom.kept, std::greater{}, GravityOf);
     symptom.kept.resize(std::min(symptom.kept.size(), kKept));
-    sorted.push_back(std::move(symptom));
   }
   std::ranges::stable_sort(sorted, [](const Symptom& a, const Symptom& b) {
     return GravityOf(a.kept.front()) > GravityOf(b.kept.front());

@@ -41,7 +41,7 @@ using Symptoms = std::map<Symptom::Key, Symptom>;
 /** Returns `symptoms` with their keys and their four gravest questions, the gravest
  first: missing answers, then by band and by share. Leaves out those without a question.
  */
-std::vector<Symptom> GravestFirst(Symptoms symptoms);
+std::vector<Symptom> GravestFirst(const Symptoms& symptoms);
 
 /** The kinds of A and B; empty for a world. */
 using AskedPair = std::optional<std::pair<ShapeKind, ShapeKind>>;

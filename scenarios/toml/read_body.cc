@@ -39,8 +39,8 @@ Shape ShapeFrom(const toml::table& body) {
 
 /** Returns the quaternion in `wxyz`, divided by NormToDivideBy() with a note. */
 Eigen::Quaterniond QuaternionFrom(const toml::array& wxyz, FileLog& log) {
-  const Eigen::Quaterniond q(NumberFrom(wxyz.get(0), 1), NumberFrom(wxyz.get(1), 0),
-                             NumberFrom(wxyz.get(2), 0), NumberFrom(wxyz.get(3), 0));
+  Eigen::Quaterniond q(NumberFrom(wxyz.get(0), 1), NumberFrom(wxyz.get(1), 0),
+                       NumberFrom(wxyz.get(2), 0), NumberFrom(wxyz.get(3), 0));
   const std::optional<double> norm = NormToDivideBy(q);
   if (!norm) return q;
   log.Note(wxyz.source(),

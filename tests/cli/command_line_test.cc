@@ -758,6 +758,25 @@ TEST_F(CommandLineTest, FindsTheRootCausesOfASweep) {
             2);
 }
 
+// The spheres are 0.1 m deep in each other, and half_depth says half of it.
+TEST_F(CommandLineTest, ShrinksAFaultWhileItStaysOverANumber) {
+  const std::string shrink = "shrink " + Path("mine/deep.toml") + " --for half_depth ";
+  const Ended ended = Touchstone(shrink + "--keep 'separation_error > 0.04'");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("--keep 'separation_error >"));
+  const Ended large = Touchstone(shrink + "--keep 'separation_error > 0.06'");
+  EXPECT_EQ(large.code, 2);
+  EXPECT_THAT(large.err, HasSubstr("in separation_error by more than 0.06"));
+  for (const char* const keep : {"0.1", "separation_error", "separation_error > deep",
+                                 "> 0.1", "separation_error > -1"}) {
+    const Ended refused = Touchstone(shrink + "--keep '" + keep + "'");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("cannot be read; expected a measure and a number"))
+        << keep;
+  }
+  EXPECT_THAT(Touchstone(shrink + "--keep 'excess > 0' --measure excess").code, 2);
+}
+
 TEST_F(CommandLineTest, FindsTheRootCausesOfARun) {
   const std::string deep = Path("mine/deep.toml");
   Touchstone("run --subject half_depth --against right " + deep + " --quiet --out " +

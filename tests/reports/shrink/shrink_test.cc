@@ -254,6 +254,22 @@ TEST(SameFault, DoesNotShrinkIntoARounding) {
   EXPECT_FALSE(IsSameFault(other, original));
 }
 
+TEST(SameFault, StaysOverTheNumberThatTheUserGives) {
+  Finding original;
+  original.measure = MeasureKind::kExcess;
+  original.value = 0.1;
+  original.tolerance = 1e-3;
+  original.verdict = Verdict::kFail;
+  original.grade = Grade::kLarge;
+  Finding other = original;
+  other.value = 0.02;
+  other.grade = Grade::kSmall;
+  EXPECT_TRUE(IsSameFault(other, original, 0.01));
+  EXPECT_FALSE(IsSameFault(other, original, 0.02));
+  other.law = "another";
+  EXPECT_FALSE(IsSameFault(other, original, 0.01));
+}
+
 /** The fault that AskAlone() finds first. */
 Finding FirstFault(const Question& question, const Oracle& oracle) {
   for (const Finding& finding : AskAlone(question, oracle).findings) {
