@@ -21,12 +21,12 @@ inline constexpr std::size_t kMostReportData = std::size_t{1} << 27;
 
 /** The parts of a report's data that this program uses. */
 struct ReadReportData {
-  Baseline baseline;    ///< The findings, each with its rounding.
+  Baseline baseline;  ///< The findings, each with its rounding.
   /** The text of the file of each question, by its id. */
   std::map<std::string, std::string> questions;
   std::vector<std::string> oracles;  ///< Their names, in the order of the run.
-  std::string command;  ///< The command that made the run.
-  std::string bytes;    ///< The data as read, deflated, for WritePage().
+  std::string command;               ///< The command that made the run.
+  std::string bytes;                 ///< The data as read, deflated, for WritePage().
 };
 
 /** The data of a report, or the error of its file. */
