@@ -2,8 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
-
+#include "reports/referee/flat_direction.h"
 #include "reports/referee/planar_intersection.h"
 #include "reports/referee/referee.h"
 #include "reports/referee/support_feature.h"
@@ -64,37 +63,6 @@ bool Same(const Polygon& P, const Polygon& Q, double slack) {
          });
 }
 
-/** Adds the covariance of the points to `spread`. */
-void AddSpread(const std::vector<Eigen::Vector3d>& points, Eigen::Matrix3d& spread) {
-  if (points.empty()) return;
-  const double share = 1 / static_cast<double>(points.size());
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points) mean += share * p;
-  for (const Eigen::Vector3d& p : points) {
-    spread += share * (p - mean) * (p - mean).transpose();
-  }
-}
-
-/** Returns the direction nearest to the unit vector `n` along which the features of both
- bodies within `slack` of their supporting planes are flat. It is n minus its components
- along the directions in which the features spread. Points within slack of each other
- spread across the plane by no more than slack / 2, and the eigenvalue solver is off by
- some roundings of the largest spread. */
-Eigen::Vector3d FlatDirection(const ContactQuery& query, const Eigen::Vector3d& n,
-                              double slack) {
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  AddSpread(FeatureAlong(query.A, n, slack).points_W, spread);
-  AddSpread(FeatureAlong(query.B, -n, slack).points_W, spread);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  const double none = std::max(slack * slack, 0x1p-48 * axes.eigenvalues()(2));
-  Eigen::Vector3d flat = n;
-  for (int i = 0; i < 3; ++i) {
-    if (axes.eigenvalues()(i) <= none) continue;
-    flat -= axes.eigenvectors().col(i).dot(n) * axes.eigenvectors().col(i);
-  }
-  return flat.normalized();
-}
-
 /** Returns the position of a bounded body of `query`. [m] */
 Eigen::Vector3d OriginOf(const ContactQuery& query) {
   const bool plane_is_A = KindOf(query.A.shape) == ShapeKind::kHalfSpace;
@@ -119,26 +87,6 @@ ContactPatch MovedBy(const Eigen::Vector3d& origin, ContactPatch patch) {
  roundings of the scene. [m] */
 double FeatureRounding(const ContactQuery& query) {
   return 32 * std::numeric_limits<double>::epsilon() * SceneSize(query);
-}
-
-/** Returns the rounding of the heights of the corners of `body` along a computed
- direction near a unit vector. With u = 2^-53 and the radius R, turning the direction into
- the body's frame costs 5.2 u, three products and their sum 5.2 u: 10.4 u R a height and
- 21 u R a difference. The direction is off by some 3 u, which tilts an extent of 2 R by 6
- u R. Together 27 u R, which 16 roundings of 2 u cover. [m] */
-double HeightRounding(const Body& body) {
-  return 16 * std::numeric_limits<double>::epsilon() * BoundingRadius(body.shape);
-}
-
-/** Returns whether a feature of `body` lies flat along n to within `e`, but not to within
- `flush` and the rounding of its own heights. A wider bound would take the question's tilt
- for a rounding, and demand corners that an exact engine rightly leaves out. [m] */
-bool IsTilted(const Body& body, const Eigen::Vector3d& n, double flush, double e) {
-  const double exact = flush + HeightRounding(body);
-  const SupportFeature nearly = FeatureAlong(body, n, e);
-  const SupportFeature exactly = FeatureAlong(body, n, exact);
-  return nearly.is_disc != exactly.is_disc ||
-         nearly.points_W.size() != exactly.points_W.size();
 }
 
 /** Returns PatchAlong() of a query about its own origin.
@@ -187,17 +135,15 @@ ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
 
 ContactPatch CertainPatch(const ContactQuery& query, const Eigen::Vector3d& n_W,
                           double separation, double flush, double e) {
-  // A half-space has only one direction, which is known exactly.
-  const bool is_known = KindOf(query.A.shape) == ShapeKind::kHalfSpace ||
-                        KindOf(query.B.shape) == ShapeKind::kHalfSpace;
   const Eigen::Vector3d origin = OriginOf(query);
   const ContactQuery local = About(origin, query);
-  const Eigen::Vector3d n =
-      is_known ? n_W.normalized() : FlatDirection(local, n_W.normalized(), e);
+  const FineDirection direction = FlatDirection(local, n_W.normalized(), e);
+  const Eigen::Vector3d n = Rounded(direction);
   ContactPatch patch = LocalPatch(local, n, separation, flush);
-  // Features are taken with a coarser rounding than heights have.
+  // What LocalPatch() takes for flat must be flat to within `flush`.
   const double nearly = std::max(e, flush + FeatureRounding(local));
-  if (IsTilted(local.A, n, flush, nearly) || IsTilted(local.B, -n, flush, nearly)) {
+  if (IsTilted(local.A, direction, flush, nearly) ||
+      IsTilted(local.B, -direction, flush, nearly)) {
     patch.vertices_W.resize(1);
     patch.least_contacts = 1;
   }

@@ -8,6 +8,7 @@
 
 #include "reports/referee/referee.h"
 #include "tests/reports/referee/awkward_scene.h"
+#include "tests/reports/referee/random_scene.h"
 
 namespace touchstone {
 namespace {
@@ -184,17 +185,52 @@ TEST(CertainPatch, OnAHalfSpaceIsSeenAlongItsOwnNormal) {
   EXPECT_EQ(tilted_by(1e-8).vertices_W.size(), 1U);
 }
 
+/** Returns the patch that an engine in doubles must not miss. */
+ContactPatch CertainInDoubles(const ContactQuery& query) {
+  const ContactTruth truth = ComputeContactTruth(query);
+  const double e = 64 * 0x1p-53 * SceneSize(query) + truth.input_rounding;
+  return CertainPatch(query, truth.certificate.n_AB_W.normalized(), truth.separation.lo,
+                      truth.input_rounding, e);
+}
+
 // The tilt is more than the question's rounding and less than the 64 roundings of the
 // scene that a double engine may be off by: one that is exact returns fewer corners.
-TEST(CertainPatch, OfAFaceTiltedByHalfTheAccuracyOfDoublesIsAPoint) {
-  constexpr double tilt = 6e-15;
-  const ContactQuery query = {
-      Place(HalfSpace{}, {0, 0, 0.2}),
-      Place(Box{{0.1, 0.2, 0.1}}, {0, 0, 0.29}, Turn(tilt, {1, 2, 0}))};
-  const double e = 64 * 0x1p-53 * SceneSize(query);
-  const double highest = tilt * 2 * (1 * 0.2 + 2 * 0.1) / std::sqrt(5.0);
-  ASSERT_LT(highest, e);
-  EXPECT_EQ(CertainPatch(query, Up(), -0.01, 0, e).vertices_W.size(), 1U);
+TEST(CertainPatch, OfAFaceTiltedByAFractionOfTheAccuracyOfDoublesIsAPoint) {
+  for (const double tilt : {2e-15, 4e-15, 6e-15}) {
+    const ContactQuery query = {
+        Place(HalfSpace{}, {0, 0, 0.2}),
+        Place(Box{{0.1, 0.2, 0.1}}, {0, 0, 0.29}, Turn(tilt, {1, 2, 0}))};
+    const double e = 64 * 0x1p-53 * SceneSize(query);
+    const double highest = tilt * 2 * (1 * 0.2 + 2 * 0.1) / std::sqrt(5.0);
+    ASSERT_LT(highest, e);
+    EXPECT_EQ(CertainPatch(query, Up(), -0.01, 0, e).vertices_W.size(), 1U) << tilt;
+  }
+}
+
+// The direction along which slender faces are flat is far better known across them than a
+// double can say: rounded to one, they appear tilted by the square of their ratio.
+TEST(CertainPatch, OfSlenderFlushFacesIsTheWholeFaceInAnyFrame) {
+  RandomScene random(7);
+  for (const double width : {1.0, 0.1, 0.03, 0.01, 0.001}) {
+    for (int i = 0; i < 40; ++i) {
+      const Eigen::Quaterniond q = random.Rotation();
+      const auto place = [&](const Shape& shape, const Eigen::Vector3d& p) {
+        return Body{shape, Pose::FromQuaternion(q * p, q)};
+      };
+      const Box plank{{1, width, 0.3}};
+      EXPECT_EQ(CertainInDoubles({place(plank, {0, 0, 0}), place(plank, {0.1, 0, 0.59})})
+                    .vertices_W.size(),
+                4U)
+          << width;
+      // A capsule's axis is along z: it lies on the plank's side.
+      const Box post{{width, 0.3, 1}};
+      EXPECT_EQ(CertainInDoubles(
+                    {place(post, {0, 0, 0}), place(Capsule{0.2, 0.5}, {0, 0.49, 0})})
+                    .vertices_W.size(),
+                2U)
+          << width;
+    }
+  }
 }
 
 TEST(CertainPatch, OfASliverIsASegmentAndOfASpeckAPoint) {
