@@ -33,13 +33,22 @@ std::string BodyText(const Json& body) {
                                 : Entry("rotation", body.at("rotation")));
 }
 
+/** Returns the table of the tolerance that its author grants; empty if there is none.
+ Throws Json::exception. */
+std::string ToleranceText(const Json& question) {
+  if (!question.contains("tolerance")) return "";
+  const Json& tolerance = question.at("tolerance");
+  return "[tolerance]\n" + Entry("separation", tolerance.at("separation")) +
+         Entry("because", tolerance.at("because"));
+}
+
 /** Returns a question of the report as the text of a scenario file, whose reader knows
  what is valid. Throws Json::exception. */
 std::string ScenarioText(const Json& question) {
   return Entry("id", question.at("id")) + Entry("title", question.at("title")) +
          Entry("source", question.at("source")) + "[bodies.A]\n" +
          BodyText(question.at("A")) + "[bodies.B]\n" + BodyText(question.at("B")) +
-         "[contact]\nA = \"A\"\nB = \"B\"\n";
+         "[contact]\nA = \"A\"\nB = \"B\"\n" + ToleranceText(question);
 }
 
 /** Adds the question of a line, if it has one. Returns its error. */

@@ -170,6 +170,10 @@ Json ScenarioToJson(const RunReport& report, std::span<const Outcome> outcomes,
   json["A"] = ToJson(scenario.contact.A);
   json["B"] = ToJson(scenario.contact.B);
   json["expect"] = ToJson(scenario.expect);
+  if (scenario.tolerance) {
+    json["tolerance"] = {{"separation", ToJson(scenario.tolerance->separation)},
+                         {"because", scenario.tolerance->because}};
+  }
   json["truth"] = ToJson(result.truth);
   json["answers"] = Json::array();
   for (std::size_t o = 0; o < report.oracles.size(); ++o) {
