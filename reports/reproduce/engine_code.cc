@@ -5,6 +5,10 @@
 namespace touchstone {
 
 EngineCode CodeOf(const ContactQuery& query, const OracleInfo& oracle) {
+  if (oracle.external) {
+    throw CannotReproduce(fmt::format(
+        "{} is a program of its own, and what it calls is not known", oracle.name));
+  }
   if (oracle.library == "Bullet") return BulletCode(query, oracle.name);
   if (oracle.library == "libccd") return CcdCode(query, oracle.name);
   if (oracle.library == "DART") return DartCode(query, oracle.name);

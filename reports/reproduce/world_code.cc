@@ -98,6 +98,10 @@ void Refuse(bool has, std::string_view what) {
 }  // namespace
 
 EngineCode WorldCodeOf(const World& world, const OracleInfo& oracle) {
+  if (oracle.external) {
+    throw CannotReproduce(fmt::format(
+        "{} is a program of its own, and what it calls is not known", oracle.name));
+  }
   Refuse(!world.particles.empty(), "particles");
   Refuse(!world.springs.empty(), "springs");
   Refuse(!world.joints.empty(), "distance joints");

@@ -82,10 +82,9 @@ std::string Describe(const ContactQuery& query, const ContactTruth& truth) {
   return fmt::format(
       "{}: the separation {}, certified along n = {} by the points {} of "
       "A and "
-      "{} of B ({}).",
+      "{} of B.",
       state, separation, FormatVector(truth.certificate.n_AB_W),
-      FormatVector(truth.certificate.p_WCa), FormatVector(truth.certificate.p_WCb),
-      truth.method);
+      FormatVector(truth.certificate.p_WCa), FormatVector(truth.certificate.p_WCb));
 }
 
 double LeastError(double separation, const ContactTruth& truth) {
