@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -60,7 +61,8 @@ Wanted WantedBy(const FaultSelection& selection) {
   double over = 0;
   const char* const end = number.data() + number.size();
   const auto read = std::from_chars(number.data(), end, over);
-  if (name.empty() || read.ec != std::errc() || read.ptr != end || !(over >= 0)) {
+  if (name.empty() || read.ec != std::errc() || read.ptr != end || !(over >= 0) ||
+      !std::isfinite(over)) {
     throw InputError(fmt::format(
         "--keep {}: cannot be read; expected a measure and a number that its value stays "
         "over, e.g. 'separation_error > 0.1'",

@@ -41,6 +41,9 @@ class Search {
         family_(FamilyOf(question, oracle.info())),
         result_{
             .question = question, .finding = fault, .over = options.over, .shifts = {}} {
+    for (const Finding& finding : AskAlone(question, oracle).findings) {
+      if (IsFailure(finding.verdict)) failed_before_.insert(finding.measure);
+    }
     ForgetAnswers(result_.question);
     size_ = SizeOf(result_.question);
     result_.shifts = ShiftsWithFault(result_.question, kShifts);
@@ -111,8 +114,19 @@ class Search {
     const auto same = std::ranges::find_if(report.findings, [&](const Finding& finding) {
       return IsSameFault(finding, fault_, options_.over);
     });
-    if (same == report.findings.end()) return std::nullopt;
+    if (same == report.findings.end() || ShowsAnother(report)) return std::nullopt;
     return std::move(*same);
+  }
+
+  /** Returns whether a contact answer also fails in a measure that is enumerated before
+   that of the fault, and did not at first: a contact off the surfaces is another fault
+   where there is no contact. */
+  bool ShowsAnother(const RunReport& report) const {
+    return !report.scenarios.empty() &&
+           std::ranges::any_of(report.findings, [&](const Finding& finding) {
+             return IsFailure(finding.verdict) && finding.measure < fault_.measure &&
+                    !failed_before_.contains(finding.measure);
+           });
   }
 
   /** Returns the number of shifts of `question` that show the fault, counted up to
@@ -136,7 +150,8 @@ class Search {
   std::string family_;
   Shrunk result_;
   Size size_;
-  std::size_t hangs_ = 0;         ///< Answers that timed out.
+  std::set<MeasureKind> failed_before_;  ///< Those that the original fails.
+  std::size_t hangs_ = 0;                ///< Answers that timed out.
   std::size_t least_shifts_ = 0;  ///< That an accepted candidate shows the fault in.
   std::set<std::string> asked_;   ///< Texts of the candidates that were asked.
 };
