@@ -1,6 +1,7 @@
 #include "cli/commands/read_failures.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -44,14 +45,28 @@ std::set<std::string> Wanted(const Session& session,
                              const std::string& list) {
   if (list.empty()) return {asked.begin(), asked.end()};
   std::set<std::string> wanted;
-  for (const Oracle* const oracle :
-       SubjectsNamed(session.registry, list, QuestionKind::kContact)) {
-    if (std::ranges::find(asked, oracle->info().name) != asked.end())
-      wanted.insert(oracle->info().name);
+  for (const QuestionKind kind : {QuestionKind::kContact, QuestionKind::kWorld}) {
+    for (const Oracle* const oracle : SubjectsNamed(session.registry, list, kind)) {
+      if (std::ranges::find(asked, oracle->info().name) != asked.end())
+        wanted.insert(oracle->info().name);
+    }
   }
   if (!wanted.empty()) return wanted;
   throw InputError(fmt::format("--subject {}: was not asked; expected one of {}", list,
                                fmt::join(asked, ", ")));
+}
+
+/** Returns those of `oracles` that are `named`, with their libraries and versions. */
+std::string Described(const std::vector<const Oracle*>& oracles,
+                      const std::set<std::string>& named) {
+  std::vector<std::string> described;
+  for (const Oracle* const oracle : oracles) {
+    const OracleInfo& info = oracle->info();
+    if (named.contains(info.name))
+      described.push_back(
+          fmt::format("{} ({} {})", info.name, info.library, info.version));
+  }
+  return fmt::format("{}", fmt::join(described, ", "));
 }
 
 FoundFailures OfSweep(const Session& session, const std::filesystem::path& path,
@@ -61,8 +76,9 @@ FoundFailures OfSweep(const Session& session, const std::filesystem::path& path,
   for (const std::string& name : file.settings().subjects)
     found.oracles.push_back(&OracleNamed(session.registry, name));
   RequireSameOracles(file, found.oracles);
-  found.failures = FailuresOf(file, Wanted(session, file.settings().subjects, wanted));
-  found.asked = file.settings().values.at("subjects");
+  const std::set<std::string> names = Wanted(session, file.settings().subjects, wanted);
+  found.failures = FailuresOf(file, names);
+  found.asked = Described(found.oracles, names);
   found.is_search = std::ranges::any_of(file.settings().series, IsSearch);
   return found;
 }
@@ -72,17 +88,21 @@ FoundFailures OfRun(const Session& session, const std::filesystem::path& path,
   const ReadReportResult read = ReadReportFile(path);
   if (!read.data) throw InputError(ToString(read.diagnostics.front()));
   FoundFailures found;
-  std::vector<std::string> asked;
-  for (const std::string& name : read.data->oracles) {
+  std::vector<std::string> names;
+  for (const auto& [name, version] : read.data->oracles) {
     const Oracle& oracle = OracleNamed(session.registry, name);
+    if (oracle.info().version != version) {
+      throw InputError(fmt::format(
+          "{}: it asked {} of {} {}, not {}; expected the same version", path.string(),
+          name, oracle.info().library, version, oracle.info().version));
+    }
+    names.push_back(name);
     found.oracles.push_back(&oracle);
-    asked.push_back(
-        fmt::format("{} ({} {})", name, oracle.info().library, oracle.info().version));
   }
-  found.asked = fmt::format("{}", fmt::join(asked, "; "));
-  const RunQuestions questions =
-      QuestionsOf(*read.data, Wanted(session, read.data->oracles, wanted));
-  std::vector<OracleTally> again(questions.failed.size());
+  const std::set<std::string> chosen = Wanted(session, names, wanted);
+  found.asked = Described(found.oracles, chosen);
+  const RunQuestions questions = QuestionsOf(*read.data, chosen);
+  std::vector<std::optional<OracleTally>> again(questions.failed.size());
   ForEachInParallel(work, again.size(), [&](std::size_t i) {
     const FailedAnswer& answer = questions.failed[i];
     again[i] = AskAgain(answer, OracleNamed(session.registry, answer.oracle));
@@ -97,6 +117,12 @@ FoundFailures OfRun(const Session& session, const std::filesystem::path& path,
 
 std::filesystem::path FailuresFileIn(const std::filesystem::path& path) {
   std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    throw InputError(fmt::format(
+        "{}: does not exist; expected the folder of `touchstone sweep --out` or "
+        "`touchstone run --out`",
+        path.string()));
+  }
   if (!std::filesystem::is_directory(path, error)) return path;
   for (const char* const name : {kSweep, kRunData}) {
     if (std::filesystem::exists(path / name, error)) return path / name;

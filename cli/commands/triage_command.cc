@@ -178,6 +178,7 @@ int TriageCommand(const Session& session, const TriageArguments& arguments) try 
   index.failed = failures.failed;
   index.unproved = failures.unproved;
   index.vanished = failures.vanished;
+  index.unasked = failures.unasked;
   index.left_out = examined.left_out;
   index.is_search = found.is_search;
   index.has_baseline = arguments.baseline.has_value();
@@ -211,7 +212,8 @@ int TriageCommand(const Session& session, const TriageArguments& arguments) try 
   std::cout << fmt::format("Wrote {}\n", (folder / "index.md").string());
   if (const int signal = Interrupt::signal()) return 128 + signal;
   // A failure that was not examined may have a new root cause.
-  if (index.left_out > 0 || !index.unrepeatable.empty()) return 1;
+  if (index.left_out + index.vanished + index.unasked > 0 || !index.unrepeatable.empty())
+    return 1;
   return (arguments.baseline ? fresh > 0 : !roots.empty()) ? 1 : 0;
 } catch (const SweepFileError& error) {
   throw InputError(error.what());

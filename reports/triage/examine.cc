@@ -24,10 +24,6 @@ Question QuestionIn(const std::string& text) {
   return std::move(read.scenario.value());
 }
 
-bool IsOfAVariant(MeasureKind measure) {
-  return measure >= MeasureKind::kSwap && measure <= MeasureKind::kPerturbation;
-}
-
 /** Returns the finding of the symptom, if `report` has one. */
 const Finding* SymptomIn(const RunReport& report, const Symptom::Key& key) {
   const auto found = std::ranges::find_if(report.findings, [&](const Finding& finding) {
@@ -52,15 +48,16 @@ std::optional<Finding> FaultIn(const RunReport& report) {
 
 /** Returns the fault of the answer that `symptom` is likely to follow from: a wrong depth
  or normal moves the surfaces on which contacts are judged, and measures are enumerated in
- that order. A normal off by the angle θ costs the share θ² of a depth and moves the
- surfaces by the share θ, and the bounds of the grades are 1e-6, 1e-3 and 0.1: the source
- is at most one grade milder. */
+ that order. It must be large enough. A depth moves the surfaces by its error. A normal
+ off by the angle θ costs the share θ² of a depth and moves them by the share θ, and the
+ bounds of the grades are 1e-6, 1e-3 and 0.1: its own fault may be one grade milder. */
 const Finding& SourceOf(const RunReport& report, const Finding& symptom) {
   if (!report.worlds.empty() || IsOfAVariant(symptom.measure)) return symptom;
   const Finding* source = &symptom;
   for (const Finding& finding : report.findings) {
+    const int milder = IsOfANormal(report, finding) ? 1 : 0;
     if (finding.verdict == symptom.verdict && !IsOfAVariant(finding.measure) &&
-        static_cast<int>(finding.grade) + 1 >= static_cast<int>(symptom.grade) &&
+        static_cast<int>(finding.grade) + milder >= static_cast<int>(symptom.grade) &&
         finding.measure < source->measure)
       source = &finding;
   }
@@ -109,6 +106,19 @@ std::optional<Found> FaultOf(const Symptom& symptom, const Question& original,
 }
 
 }  // namespace
+
+bool IsOfAVariant(MeasureKind measure) {
+  return measure >= MeasureKind::kSwap && measure <= MeasureKind::kPerturbation;
+}
+
+bool IsOfANormal(const RunReport& report, const Finding& finding) {
+  if (finding.measure == MeasureKind::kExcess) return true;
+  return finding.measure == MeasureKind::kConsistencyError &&
+         std::ranges::any_of(report.findings, [](const Finding& other) {
+           return other.measure == MeasureKind::kSeparationError &&
+                  other.verdict == Verdict::kPass;
+         });
+}
 
 Specimen AskAgain(const Symptom& symptom, const Oracle& oracle) {
   Specimen specimen;

@@ -30,6 +30,14 @@ struct Specimen {
   std::optional<std::size_t> shifts;  ///< Same as Shrunk::shifts.
 };
 
+/** Returns whether it is a measure of a variant of a contact question: swap,
+ rigid_motion, scaling, relabelling or perturbation. */
+bool IsOfAVariant(MeasureKind measure);
+
+/** Returns whether a fault is one of the normal alone: another direction is shorter, or a
+ depth that is right does not belong to it. */
+bool IsOfANormal(const RunReport& report, const Finding& finding);
+
 /** Asks the kept questions of a symptom again, until one shows it. Where a variant of the
  question is answered wrongly, the variant becomes the question, if the oracle is wrong
  about it alone; else a fault of the answer itself is taken, if there is one. */

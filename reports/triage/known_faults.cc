@@ -1,10 +1,12 @@
 #include "reports/triage/known_faults.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <tuple>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/ledger/glob.h"
 
@@ -45,17 +47,21 @@ std::vector<std::string> KnownFaultsLike(const Root& root, const Ledger& ledger,
     for (const Symptom& symptom : specimen.symptoms)
       kinds.emplace(symptom.key.oracle, symptom.key.verdict, symptom.key.measure);
   }
-  std::set<std::string> faults;
+  std::map<std::string, std::set<std::string>> links;  // By fault.
   for (const LedgerEntry& entry : ledger.entries) {
     if (entry.version != root.key.version) continue;
     const bool is_alike = std::ranges::any_of(entry.measures, [&](MeasureKind measure) {
       return kinds.contains({entry.oracle, entry.verdict, measure});
     });
     if (is_alike && MayBe(root, entry, catalogue, root.smallest().oracle->info())) {
-      faults.insert(fmt::format("{} ({})", FaultOf(entry), entry.upstream));
+      links[FaultOf(entry)].insert(entry.upstream);
     }
   }
-  return {faults.begin(), faults.end()};
+  std::vector<std::string> faults;
+  faults.reserve(links.size());
+  for (const auto& [fault, upstream] : links)
+    faults.push_back(fmt::format("{} ({})", fault, fmt::join(upstream, ", ")));
+  return faults;
 }
 
 }  // namespace touchstone

@@ -17,6 +17,8 @@
 namespace touchstone {
 namespace {
 
+constexpr const char* kDiffersInAnotherFrame = "answers differently in another frame";
+
 /** Returns what the oracle does wrong, in the words of a user. Measures that one fault of
  an algorithm shows by turns have the same. */
 std::string FailureOf(const Specimen& specimen) {
@@ -31,12 +33,9 @@ std::string FailureOf(const Specimen& specimen) {
     case MeasureKind::kTouching:
       return touching ? "misses a contact" : "reports a contact where there is none";
     case MeasureKind::kConsistencyError:
-      // A right depth does not belong to its normal.
-      if (std::ranges::any_of(specimen.report.findings, [](const Finding& other) {
-            return other.measure == MeasureKind::kSeparationError &&
-                   other.verdict == Verdict::kPass;
-          }))
-        return "gives a wrong normal";
+      if (finding.evidence && finding.evidence->kind == ProofKind::kDeepest)
+        return "gives wrong contact points";
+      if (IsOfANormal(specimen.report, finding)) return "gives a wrong normal";
       [[fallthrough]];
     case MeasureKind::kSeparationError:
     case MeasureKind::kContactTooDeep:
@@ -59,7 +58,7 @@ std::string FailureOf(const Specimen& specimen) {
     case MeasureKind::kScaling:
     case MeasureKind::kRelabelling:
     case MeasureKind::kPerturbation:
-      return "answers differently in another frame";
+      return kDiffersInAnotherFrame;
     default:
       return std::string(FaultInWords(finding.measure));
   }
@@ -95,24 +94,55 @@ std::string AlgorithmOf(const Specimen& specimen) {
   return specimen.oracle->info().For(KindOf(A.shape), KindOf(B.shape)).family;
 }
 
+/** Returns the band of a finding by its grade; an answer that is missing is wrong. */
+Band BandOf(const Finding& finding) {
+  return EndingOf(finding).empty() ? static_cast<Band>(finding.grade) : Band::kWrong;
+}
+
+/** Returns the band of the gravest symptom, which is the first. */
 Band BandOf(const Specimen& specimen) {
-  // The gravest symptom is the first.
-  const FindingKind& kind = specimen.symptoms.front().kept.front().kind;
-  return kind.ending.empty() ? static_cast<Band>(kind.band) : Band::kWrong;
+  const std::map<Band, std::uint64_t>& bands = specimen.symptoms.front().bands;
+  return bands.empty() ? Band::kNone : bands.rbegin()->first;
+}
+
+/** Returns what a question is chosen by: one of everyday sizes, then the simplest. */
+std::pair<int, Size> PlainnessOf(const Question& question) {
+  const Size size = SizeOf(question);
+  return {size.decades, size};
+}
+
+/** Makes `joined` stand for the symptoms of `other`, too, and takes the simpler question
+ of those of the gravest band. */
+void Join(Specimen other, Specimen& joined) {
+  const bool is_simpler = BandOf(other) == BandOf(joined) &&
+                          PlainnessOf(other.question) < PlainnessOf(joined.question);
+  std::vector<Symptom> symptoms = std::move(joined.symptoms);
+  std::ranges::move(other.symptoms, std::back_inserter(symptoms));
+  if (is_simpler) joined = std::move(other);
+  joined.symptoms = std::move(symptoms);
 }
 
 /** Completes a root from its specimens. */
 void Sum(Root& root, std::span<const Asked> asked,
          std::span<const Oracle* const> oracles) {
+  std::map<Band, std::uint64_t> bands;  // Answers by the band of their fault.
   std::ranges::stable_sort(root.specimens, std::less{}, [](const Specimen& specimen) {
     return SizeOf(specimen.question);
   });
   for (const Specimen& specimen : root.specimens) {
     for (const Symptom& symptom : specimen.symptoms) {
-      for (const auto& [what, failed] : symptom.failed)
-        root.rates[{symptom.key.oracle, what}].failed += failed;
+      // Of these answers one has a variant that shows the fault.
+      const bool is_own = !IsOfAVariant(symptom.key.measure) ||
+                          root.key.failure == kDiffersInAnotherFrame;
+      for (const auto& [what, failed] : symptom.failed) {
+        if (is_own) root.rates[{symptom.key.oracle, what}].failed += failed;
+        if (!is_own) root.in_variants += failed;
+      }
+      if (!is_own) continue;
+      for (const auto& [band, failed] : symptom.bands) bands[band] += failed;
     }
-    root.band = std::max(root.band, BandOf(specimen));
+    // Where only variants show it, that of the question which is shown.
+    bands.try_emplace(BandOf(specimen.finding), 0);
   }
   const std::vector<std::string> shown_by = OraclesOf(root);
   for (const Asked& row : asked) {
@@ -125,7 +155,10 @@ void Sum(Root& root, std::span<const Asked> asked,
       root.rates[{row.oracle, row.what}].asked = row.count;
   }
   for (const auto& [of, rate] : root.rates) root.rate += rate;
-  root.gravity = static_cast<int>(root.band) + 0.5 * std::log10(ShareOf(root.rate));
+  root.band = bands.rbegin()->first;
+  root.gravest = {bands.rbegin()->second, root.rate.asked};
+  const Rate least_seen{std::max<std::uint64_t>(root.gravest.failed, 1), root.rate.asked};
+  root.gravity = static_cast<int>(root.band) + 0.5 * std::log10(ShareOf(least_seen));
 }
 
 }  // namespace
@@ -156,8 +189,7 @@ std::vector<Specimen> Joined(std::vector<Specimen> specimens) {
     if (specimen.is_repeatable) {
       const auto [place, is_new] = places.emplace(KeyOf(specimen), joined.size());
       if (!is_new) {
-        std::vector<Symptom>& symptoms = joined[place->second].symptoms;
-        std::ranges::move(specimen.symptoms, std::back_inserter(symptoms));
+        Join(std::move(specimen), joined[place->second]);
         continue;
       }
     }

@@ -36,8 +36,9 @@ bool MayShow(const RootKey& root, const AskedPair& pair, const OracleInfo& oracl
 /** Returns the key of a specimen. @pre It is repeatable. */
 RootKey KeyOf(const Specimen& specimen);
 
-/** Returns specimens of the same key as one, that of the gravest symptom, which then
- stands for the symptoms of all. Keeps the order, and those that are not repeatable. */
+/** Returns specimens of the same key as one, which then stands for the symptoms of all:
+ that of the simplest question in the band of the gravest symptom. Keeps the order, and
+ those that are not repeatable. */
 std::vector<Specimen> Joined(std::vector<Specimen> specimens);
 
 /** Failures with one root cause. */
@@ -49,9 +50,13 @@ struct Root {
   std::map<std::pair<std::string, std::string>, Rate> rates;
   Rate rate;  ///< Sum of `rates`: answers, since several oracles may be asked one
               ///< question.
-  Band band = Band::kNone;  ///< The gravest that the sweep has found.
-  /** The rank: the number of the band plus ½ log10 of the rate. A step of one band counts
-   as much as a rate a hundred times as high. [-] */
+  /** Answers with a variant that failed, at least one of them by this root, and that are
+   not in `rate`. */
+  std::uint64_t in_variants = 0;
+  Band band = Band::kNone;  ///< The gravest that was found.
+  Rate gravest;             ///< That of `band` alone.
+  /** The rank: the number of the band plus ½ log10 of the rate of that band. A step of
+   one band counts as much as a rate a hundred times as high. [-] */
   double gravity = 0;
 
   const Specimen& smallest() const { return specimens.front(); }

@@ -85,21 +85,29 @@ std::string CausePart(const Finding& finding) {
   return text.empty() ? "" : "## Cause\n\n" + text;
 }
 
+/** Returns why a root is no matter for the tracker, if it is none. */
+std::string NoteOf(const Root& root) {
+  return IsOfASetting(root) ? "Not for the tracker: as the engine ships, it passes. A "
+                              "setting of Touchstone's adapter is at fault.\n\n"
+                            : "";
+}
+
 /** Returns the part of a report that says what was asked and answered. */
 std::string QuestionPart(const Root& root, const RootProgram& program) {
   if (program.files) {
     // Without its own title, and without its last section, the output that it lacks.
     const std::string& report = program.files->report;
     const std::size_t begin = report.find("\n\n");
-    return "# " + TitleOf(root) + report.substr(begin, report.find("## Output") - begin);
+    return "# " + TitleOf(root) + "\n\n" + NoteOf(root) +
+           report.substr(begin + 2, report.find("## Output") - begin - 2);
   }
   const Specimen& smallest = root.smallest();
   return fmt::format(
-      "# {title}\n\n## Asked\n\n{library} {version}: {asked}\n"
+      "# {title}\n\n{note}## Asked\n\n{library} {version}: {asked}\n"
       "{settings}## Answer and proof\n\n{proof}{error}\n\n"
       "There is no program against the library's own API: {reason}. With Touchstone: "
       "`touchstone run case.toml --subject {oracle} --against {oracle}`.\n\n",
-      fmt::arg("title", TitleOf(root)),
+      fmt::arg("title", TitleOf(root)), fmt::arg("note", NoteOf(root)),
       fmt::arg("library", smallest.oracle->info().library),
       fmt::arg("version", smallest.oracle->info().version),
       fmt::arg("asked", AskedOf(smallest)), fmt::arg("settings", SettingsPart(smallest)),
@@ -148,10 +156,24 @@ std::string RatePart(const Root& root) {
   }
   if (others.asked > 0)
     table += fmt::format("| all | the others | {} |\n", ToString(others));
+  std::string of_bands;
+  if (root.gravest.failed < root.rate.failed) {
+    of_bands = fmt::format(" Of these {} are {}; the others are milder.",
+                           root.gravest.failed, NameOf(root.band));
+  }
+  const std::string variants =
+      root.in_variants == 0
+          ? ""
+          : fmt::format(
+                " A further {} answers are right, or wrong in another way, and "
+                "fail with the bodies exchanged, moved, turned or scaled; at least "
+                "one of these shows this fault.",
+                root.in_variants);
   return fmt::format(
-      "## How common\n\n{} of {} answers, {:.3g} %, to all questions that may run "
-      "into the same code. Intervals are those of 95 %.\n\n{}\n",
-      root.rate.failed, root.rate.asked, 100 * ShareOf(root.rate), table);
+      "## How common\n\n{} of {} answers, {:.3g} %, to all questions that may run into "
+      "the same code.{}{} Intervals are those of 95 %.\n\n{}\n",
+      root.rate.failed, root.rate.asked, 100 * ShareOf(root.rate), of_bands, variants,
+      table);
 }
 
 std::string NeighbourhoodPart(const Root& root) {
@@ -161,14 +183,13 @@ std::string NeighbourhoodPart(const Root& root) {
                                             "smaller question ended early. There "
                                             "may be one.\n\n";
   if (!smallest.shifts) return text;
-  return text + fmt::format(
-                    "## Neighbourhood\n\nThe same fault, by the same measure and proof "
-                    "and at least "
-                    "half "
-                    "as large, is in {} of {} questions in which B is moved and turned "
-                    "by 1 % of the "
-                    "smallest radius or half side.\n\n",
-                    *smallest.shifts, kShifts);
+  return text +
+         fmt::format(
+             "## Neighbourhood\n\nThe same fault, by the same measure and proof and of "
+             "the "
+             "same grade, is in {} of {} questions in which B is moved and turned by 1 % "
+             "of the smallest radius or half side.\n\n",
+             *smallest.shifts, kShifts);
 }
 
 std::string KnownPart(const std::vector<std::string>& known) {

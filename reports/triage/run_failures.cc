@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "reports/clusters/shares.h"
+#include "reports/finding/decisive.h"
 #include "reports/shrink/shrink.h"
 #include "reports/sweep/count_answer.h"
 #include "reports/writers/outcome.h"
@@ -48,15 +49,18 @@ Asked AskedOf(const Question& question) {
 
 RunQuestions QuestionsOf(const ReadReportData& run,
                          const std::set<std::string>& oracles) {
-  std::set<std::pair<std::string, std::string>> failed;
+  std::map<std::pair<std::string, std::string>,
+           std::set<std::pair<MeasureKind, std::string>>>
+      failed;
   std::set<std::pair<std::string, std::string>> answered;
   for (const auto& [cell, measured] : run.baseline.cells) {
     if (measured.verdict != Verdict::kUnsupported)
       answered.emplace(cell.scenario, cell.oracle);
     if (IsFailure(measured.verdict) && measured.verdict != Verdict::kDisagree)
-      failed.emplace(cell.scenario, cell.oracle);
+      failed[{cell.scenario, cell.oracle}].emplace(cell.measure, cell.law);
   }
-  for (const auto& [scenario, oracle] : failed) {
+  for (const auto& [answer, cells] : failed) {
+    const std::string& scenario = answer.first;
     if (run.questions.contains(scenario)) continue;
     throw UnreadableQuestion(fmt::format(
         "the report has no text of {}; expected one of `touchstone run --out` "
@@ -72,7 +76,9 @@ RunQuestions QuestionsOf(const ReadReportData& run,
       if (!answered.contains({id, oracle})) continue;
       row.oracle = oracle;
       ++asked.try_emplace({oracle, row.what}, row).first->second.count;
-      if (failed.contains({id, oracle})) questions.failed.push_back({question, oracle});
+      const auto cells = failed.find({id, oracle});
+      if (cells != failed.end())
+        questions.failed.push_back({question, oracle, cells->second});
     }
   }
   for (auto& [of, row] : asked) questions.asked.push_back(std::move(row));
@@ -88,30 +94,48 @@ OracleTally AskAgain(const FailedAnswer& answer, const Oracle& oracle) {
     touching = report.scenarios.front().truth.touching == Touching::kTouching;
     undecided = report.scenarios.front().truth.touching == Touching::kUndecided;
   }
+  std::vector<Finding> faults;
+  std::vector<double> shares_of_faults;
+  for (std::size_t i = 0; i < report.findings.size(); ++i) {
+    const Finding& finding = report.findings[i];
+    if (!IsFailure(finding.verdict) ||
+        !answer.cells.contains({finding.measure, finding.law}))
+      continue;
+    faults.push_back(finding);
+    shares_of_faults.push_back(shares[i]);
+  }
+  Outcome outcome{.scenario = 0, .oracle = 0, .findings = faults};
+  outcome.decisive = DecisiveOf(faults);
+  outcome.verdict =
+      outcome.decisive == nullptr ? Verdict::kPass : outcome.decisive->verdict;
   OracleTally tally;
-  const std::vector<Outcome> outcomes = OutcomesOf(report);
   CountAnswer(
       {.question = 0,
-       .outcome = outcomes.front(),
+       .outcome = outcome,
        .touching = touching,
        .undecided = undecided,
        .share_of =
            [&](const Finding& finding) {
-             return shares[static_cast<std::size_t>(&finding - report.findings.data())];
+             return shares_of_faults[static_cast<std::size_t>(&finding - faults.data())];
            },
        .write = [&] { return TextOf(answer.question); }},
       tally);
   return tally;
 }
 
-Failures FailuresOf(const RunQuestions& run, std::span<const OracleTally> again) {
+Failures FailuresOf(const RunQuestions& run,
+                    std::span<const std::optional<OracleTally>> again) {
   Failures failures{.symptoms = {}, .asked = run.asked};
   Symptoms symptoms;
   for (std::size_t i = 0; i < run.failed.size(); ++i) {
+    if (!again[i]) {
+      ++failures.unasked;
+      continue;
+    }
     const Question& question = run.failed[i].question;
-    AddAnswers(again[i], run.failed[i].oracle, SubjectOf(question),
+    AddAnswers(*again[i], run.failed[i].oracle, SubjectOf(question),
                AskedOf(question).what, symptoms, failures);
-    if (again[i].failures.empty()) ++failures.vanished;
+    if (again[i]->failures.empty()) ++failures.vanished;
   }
   failures.symptoms = GravestFirst(symptoms);
   return failures;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -17,6 +19,7 @@ namespace touchstone {
 struct FailedAnswer {
   Question question;
   std::string oracle;
+  std::set<std::pair<MeasureKind, std::string>> cells;  ///< Measures and laws it failed.
 };
 
 /** The questions of a run, and the answers to ask for again: a report does not say how an
@@ -35,11 +38,13 @@ struct UnreadableQuestion : std::runtime_error {
  */
 RunQuestions QuestionsOf(const ReadReportData& run, const std::set<std::string>& oracles);
 
-/** Asks for an answer again. Returns a tally of one question. */
+/** Asks for an answer again. Returns a tally of one question, with its faults in the
+ cells that failed before: the ledger may know the others. */
 OracleTally AskAgain(const FailedAnswer& answer, const Oracle& oracle);
 
 /** Returns the failures of a run.
- @param again AskAgain() each of `run.failed`. */
-Failures FailuresOf(const RunQuestions& run, std::span<const OracleTally> again);
+ @param again AskAgain() each of `run.failed`; empty where there was no time. */
+Failures FailuresOf(const RunQuestions& run,
+                    std::span<const std::optional<OracleTally>> again);
 
 }  // namespace touchstone

@@ -49,8 +49,12 @@ Failures FailuresOf(const SweepFile& file, const std::set<std::string>& oracles)
       const OracleTally& of_oracle = tally.oracles[o];
       AddAnswers(of_oracle, settings.subjects[o], SubjectOf(series), AskedOf(series),
                  symptoms, result);
+      std::uint64_t answered = of_oracle.asked;
+      for (const auto& [kind, count] : of_oracle.answers) {
+        if (kind.verdict == Verdict::kUnsupported) answered -= count;
+      }
       result.asked.push_back(
-          {settings.subjects[o], AskedOf(series), PairOf(series), of_oracle.asked});
+          {settings.subjects[o], AskedOf(series), PairOf(series), answered});
     }
   }
   for (const auto& [key, symptom] : symptoms) {

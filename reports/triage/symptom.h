@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "reports/clusters/clusters.h"
 #include "reports/sweep/tally.h"
 #include "scenarios/shape.h"
 
@@ -29,18 +30,21 @@ struct Symptom {
     auto operator<=>(const Key&) const = default;
   };
   Key key;
-  /** The four gravest of those that the sweep has kept, the gravest first. */
+  /** Four of those that were kept, of the gravest band if there are as many: the simplest
+   first. */
   std::vector<FailedQuestion> kept;
   /** The number of answers that show it, by Asked::what. */
   std::map<std::string, std::uint64_t> failed;
+  std::map<Band, std::uint64_t> bands;  ///< The same by the size of the fault.
 };
 
 /** The symptoms found so far. */
 using Symptoms = std::map<Symptom::Key, Symptom>;
 
-/** Returns `symptoms` with their keys and their four gravest questions, the gravest
- first: missing answers, then by band and by share. Leaves out those without a question.
- */
+/** Returns `symptoms` with their keys, the gravest first: missing answers, then by band
+ and by share. Each keeps four questions, see Symptom::kept. Leaves out those without a
+ question.
+ @pre The questions can be read. */
 std::vector<Symptom> GravestFirst(const Symptoms& symptoms);
 
 /** The kinds of A and B; empty for a world. */
@@ -51,7 +55,7 @@ struct Asked {
   std::string oracle;
   std::string what;  ///< "random, sphere and box", "the file poses.csv, …".
   AskedPair pair;
-  std::uint64_t count = 0;
+  std::uint64_t count = 0;  ///< Those that it did not call unsupported.
 };
 
 /** The failed answers of a sweep or a run, and the questions among which they were found.
@@ -65,6 +69,7 @@ struct Failures {
   std::uint64_t unproved = 0;
   /** Answers of a run that did not fail when they were asked for again, alone. */
   std::uint64_t vanished = 0;
+  std::uint64_t unasked = 0;  ///< Answers of a run that there was no time to ask for.
 };
 
 /** Adds the failed answers of `tally` to symptoms of `oracle`, and counts them.

@@ -32,14 +32,26 @@ std::string CauseOf(const Finding& finding) {
   return text;
 }
 
+/** Returns the share of the answers that are as wrong as that, and of all that are wrong.
+ */
+std::string SharesOf(const Root& root) {
+  if (root.rate.failed == 0) return "in variants only";
+  const double all = 100 * ShareOf(root.rate);
+  // A smaller question may be answered worse than any that was asked.
+  if (root.gravest.failed == 0) return fmt::format("{:.3g} %, all milder", all);
+  const double gravest = 100 * ShareOf(root.gravest);
+  if (root.gravest.failed == root.rate.failed) return fmt::format("{:.3g} %", gravest);
+  return fmt::format("{:.3g} %, {:.3g} % with milder ones", gravest, all);
+}
+
 std::string RowOf(std::size_t number, const IndexedRoot& entry) {
   const Root& root = *entry.root;
-  return fmt::format(
-      "| {} | [{}]({}/REPORT.md) | {} | {:.3g} % | {} | {} | {}{} | {} |\n", number,
-      Escaped(TitleOf(root)), entry.folder, NameOf(root.band), 100 * ShareOf(root.rate),
-      fmt::join(OraclesOf(root), ", "), CauseOf(root.smallest().finding),
-      entry.is_fresh ? "**new since the baseline**, " : "",
-      entry.is_new ? "not in the ledger" : "maybe known", entry.program);
+  return fmt::format("| {} | [{}]({}/REPORT.md) | {} | {} | {} | {} | {}{} | {} |\n",
+                     number, Escaped(TitleOf(root)), entry.folder, NameOf(root.band),
+                     SharesOf(root), fmt::join(OraclesOf(root), ", "),
+                     CauseOf(root.smallest().finding),
+                     entry.is_fresh ? "**new since the baseline**, " : "",
+                     entry.is_new ? "not in the ledger" : "maybe known", entry.program);
 }
 
 std::string UnrepeatablePart(const TriageIndex& index) {
@@ -52,8 +64,8 @@ std::string UnrepeatablePart(const TriageIndex& index) {
                     NameOf(symptom.key.measure), symptom.key.of, IdOf(specimen.original));
   }
   return fmt::format(
-      "## Not repeated\n\n{} failed in the sweep, and none of its four gravest questions "
-      "when asked again: the answer depends on more than the question.\n\n{}\n",
+      "## Not repeated\n\n{} did not occur again, in up to four questions of the gravest "
+      "band: the answer depends on more than the question.\n\n{}\n",
       Counted(index.unrepeatable.size(), "kind of failure", "kinds of failure"), list);
 }
 
@@ -74,7 +86,8 @@ std::string CountOf(const TriageIndex& index) {
   }
   text += '.';
   std::uint64_t covered = 0;
-  for (const IndexedRoot& entry : index.roots) covered += entry.root->rate.failed;
+  for (const IndexedRoot& entry : index.roots)
+    covered += entry.root->rate.failed + entry.root->in_variants;
   if (index.failed > 0)
     text += fmt::format(" They have {} of {} failures.", covered, index.failed);
   if (index.unproved > 0) {
@@ -87,6 +100,11 @@ std::string CountOf(const TriageIndex& index) {
   if (index.vanished > 0) {
     text += fmt::format(" {} not repeated when asked for again, alone.",
                         Counted(index.vanished, "failed answer of the run was",
+                                "failed answers of the run were"));
+  }
+  if (index.unasked > 0) {
+    text += fmt::format(" {} not asked for again: the time was over.",
+                        Counted(index.unasked, "failed answer of the run was",
                                 "failed answers of the run were"));
   }
   if (index.left_out > 0) {
@@ -114,7 +132,7 @@ std::string CountOf(const TriageIndex& index) {
 std::string SummaryOf(const TriageIndex& index) {
   std::string text = CountOf(index) + "\n";
   for (const IndexedRoot& entry : FreshFirst(index)) {
-    text += fmt::format("{:>8.3g} %  {:<13}{}{}\n", 100 * ShareOf(entry.root->rate),
+    text += fmt::format("{:>34}  {:<13}{}{}\n", SharesOf(*entry.root),
                         NameOf(entry.root->band), entry.is_fresh ? "new: " : "",
                         TitleOf(*entry.root));
   }
@@ -133,7 +151,7 @@ std::string IndexPage(const TriageIndex& index) {
       "|---|---|---|---|---|---|---|---|\n{}\n"
       "Each folder has `case.toml`, the smallest question that shows it; "
       "`original.toml`, "
-      "one that the sweep asked; `REPORT.md`, a text for the library's tracker; and, "
+      "one that was asked; `REPORT.md`, a text for the library's tracker; and, "
       "where "
       "one can be written, a program against the library's own API.\n\n{}",
       index.source, TOUCHSTONE_VERSION, index.asked, CountOf(index), rows,

@@ -24,6 +24,7 @@ struct TriageIndex {
   std::uint64_t failed = 0;        ///< Same as Failures::failed.
   std::uint64_t unproved = 0;      ///< Same as Failures::unproved.
   std::uint64_t vanished = 0;      ///< Same as Failures::vanished.
+  std::uint64_t unasked = 0;       ///< Same as Failures::unasked.
   std::vector<IndexedRoot> roots;  ///< In the order of RootsOf().
   std::vector<Specimen> unrepeatable;
   std::size_t left_out = 0;   ///< Symptoms that were not examined.

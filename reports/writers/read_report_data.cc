@@ -126,6 +126,17 @@ Baseline FindingsIn(const DataJson& json) {
   return baseline;
 }
 
+/** Returns the oracles; an old report may lack their versions. Throws Refused. */
+std::vector<ReadOracle> OraclesIn(const DataJson& json) {
+  std::vector<ReadOracle> oracles;
+  for (const DataJson& oracle : ArrayAt(json, "oracles")) {
+    oracles.push_back({TextAt(oracle, "name"), oracle.contains("version")
+                                                   ? TextAt(oracle, "version")
+                                                   : std::string()});
+  }
+  return oracles;
+}
+
 /** Returns the texts of the questions that have one, by their ids. Throws Refused. */
 std::map<std::string, std::string> QuestionsIn(const DataJson& json) {
   std::map<std::string, std::string> questions;
@@ -150,7 +161,7 @@ ReadReportResult ReadReport(std::string bytes, const std::filesystem::path& file
     const DataJson& json = unpacked.file->json;
     ReadReportData data{.baseline = FindingsIn(json),
                         .questions = QuestionsIn(json),
-                        .oracles = NamesIn(ArrayAt(json, "oracles"), "name"),
+                        .oracles = OraclesIn(json),
                         .command = TextAt(json, "command"),
                         .bytes = std::move(bytes)};
     return {std::move(data), {}};

@@ -19,14 +19,20 @@ namespace touchstone {
  whole catalogue. [bytes] */
 inline constexpr std::size_t kMostReportData = std::size_t{1} << 27;
 
+/** An oracle as a report names it. */
+struct ReadOracle {
+  std::string name;
+  std::string version;  ///< That of its library.
+};
+
 /** The parts of a report's data that this program uses. */
 struct ReadReportData {
   Baseline baseline;  ///< The findings, each with its rounding.
   /** The text of the file of each question, by its id. */
   std::map<std::string, std::string> questions;
-  std::vector<std::string> oracles;  ///< Their names, in the order of the run.
-  std::string command;               ///< The command that made the run.
-  std::string bytes;                 ///< The data as read, deflated, for WritePage().
+  std::vector<ReadOracle> oracles;  ///< In the order of the run.
+  std::string command;              ///< The command that made the run.
+  std::string bytes;                ///< The data as read, deflated, for WritePage().
 };
 
 /** The data of a report, or the error of its file. */

@@ -14,7 +14,7 @@ constexpr QuestionSeries kClimbs = {.family = Family::kRandom,
                                     .B = ShapeKind::kSphere,
                                     .seed = 5,
                                     .first = 0,
-                                    .count = 3 * 64,
+                                    .count = std::uint64_t{3} * 64,
                                     .climb = 64};
 
 /** Returns the depth as a share of the smaller sphere's diameter. */

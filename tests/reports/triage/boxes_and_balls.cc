@@ -47,6 +47,8 @@ Symptom SymptomIn(const Scenario& scenario, const Oracle& oracle) {
   kind.ending = ending;
   failure.scenario = TextOf(scenario);
   symptom.failed.emplace("random, box and sphere", 5);
+  symptom.bands.emplace(ending.empty() ? static_cast<Band>(finding.grade) : Band::kWrong,
+                        5);
   return symptom;
 }
 

@@ -144,9 +144,9 @@ std::vector<Root> RootsOfANight(const Oracle& oracle) {
     specimen = Smallest(std::move(specimen), {.tries = 30});
   }
   const Oracle* const oracles[] = {&oracle};
-  const std::vector<Root> roots = RootsOf(std::move(specimens), failures.asked, oracles);
+  std::vector<Root> roots = RootsOf(std::move(specimens), failures.asked, oracles);
   std::uint64_t covered = 0;
-  for (const Root& root : roots) covered += root.rate.failed;
+  for (const Root& root : roots) covered += root.rate.failed + root.in_variants;
   EXPECT_EQ(covered, failures.failed);
   return roots;
 }
@@ -173,6 +173,24 @@ TEST_P(AnInjectedFault, IsOneRootCauseOfItsName) {
   ASSERT_EQ(roots.size(), 1U);
   for (const std::string& words : GetParam().title)
     EXPECT_THAT(TitleOf(roots[0]), testing::HasSubstr(words));
+}
+
+// Neither follows from the other: the contacts are farther off than the depth is wrong.
+TEST(TwoInjectedFaults, AreTwoRootCauses) {
+  const FakeOracle oracle("engine", [](const ContactQuery& query) {
+    ContactAnswer answer = RightAnswer(query);
+    if (!answer.touching || !AreBoth(query, ShapeKind::kSphere)) return answer;
+    answer.separation = 1.02 * *answer.separation;
+    const double r = std::get<Sphere>(query.A.shape).radius;
+    for (ContactPoint& point : answer.points) {
+      point.separation = *answer.separation;
+      point.p_WC += 2 * r * answer.n_AB_W->unitOrthogonal();
+    }
+    return answer;
+  });
+  std::vector<std::string> titles;
+  for (const Root& root : RootsOfANight(oracle)) titles.push_back(TitleOf(root));
+  EXPECT_THAT(titles, testing::Contains(testing::HasSubstr("wrong contact points")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Triage, AnInjectedFault, testing::ValuesIn(kInjected),

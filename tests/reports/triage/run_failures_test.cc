@@ -13,12 +13,12 @@ namespace {
  has a verdict on the ball. */
 ReadReportData RunWith(Verdict verdict) {
   ReadReportData run;
-  run.oracles = {"deep", "right"};
+  run.oracles = {{"deep", "1.0"}, {"right", "1.0"}};
   int i = 0;
   for (const Shape& shape : {Shape(Sphere{0.5}), Shape(Box{{0.5, 0.5, 0.5}})}) {
     Scenario scenario = BoxAnd(shape, {1.3, 0.1, 0.2});
     scenario.id += std::to_string(i);
-    for (const std::string& oracle : run.oracles) {
+    for (const auto& [oracle, version] : run.oracles) {
       run.baseline.Add({scenario.id, oracle, MeasureKind::kTouching, ""}, {});
       if (i == 0 && oracle == "deep") {
         run.baseline.Add({scenario.id, oracle, MeasureKind::kSeparationError, ""},
@@ -44,7 +44,7 @@ TEST(RunFailures, AreTheAnswersThatFailAgain) {
   ASSERT_EQ(run.asked.size(), 4U);  // Two pairs for each of two oracles.
   for (const Asked& asked : run.asked) EXPECT_EQ(asked.count, 1U);
 
-  const std::vector<OracleTally> again = {AskAgain(run.failed[0], kDeep)};
+  const std::vector<std::optional<OracleTally>> again = {AskAgain(run.failed[0], kDeep)};
   const Failures failures = FailuresOf(run, again);
   EXPECT_EQ(failures.failed, 1U);
   EXPECT_EQ(failures.vanished, 0U);
@@ -60,11 +60,38 @@ TEST(RunFailures, AreTheAnswersThatFailAgain) {
 TEST(RunFailures, ThatDoNotFailAgainAreCounted) {
   const RunQuestions run = QuestionsOf(RunWith(Verdict::kFail), {"deep"});
   const FakeOracle mended("deep");
-  const Failures failures =
-      FailuresOf(run, std::vector<OracleTally>{AskAgain(run.failed.at(0), mended)});
+  const Failures failures = FailuresOf(
+      run, std::vector<std::optional<OracleTally>>{AskAgain(run.failed.at(0), mended)});
   EXPECT_TRUE(failures.symptoms.empty());
   EXPECT_EQ(failures.vanished, 1U);
   EXPECT_EQ(failures.asked.size(), 2U);
+}
+
+TEST(RunFailures, AreThoseOfTheMeasuresThatFailed) {
+  // The ledger knows its depth, and not that its contacts are aside.
+  const FakeOracle two =
+      FakeOracle::Wrong("deep", [](const ContactQuery&, ContactAnswer& answer) {
+        *answer.separation -= 0.2;
+        for (ContactPoint& point : answer.points) point.p_WC.x() += 5;
+      });
+  FailedAnswer answer = QuestionsOf(RunWith(Verdict::kFail), {"deep"}).failed.at(0);
+  const auto measure_of = [&](MeasureKind failed) {
+    answer.cells = {{failed, ""}};
+    const OracleTally tally = AskAgain(answer, two);
+    EXPECT_EQ(tally.failures.size(), 1U);
+    return tally.failures.begin()->first.measure;
+  };
+  for (const MeasureKind failed :
+       {MeasureKind::kSeparationError, MeasureKind::kContactSurfaceError})
+    EXPECT_EQ(measure_of(failed), failed);
+}
+
+TEST(RunFailures, ForWhichThereWasNoTimeAreCountedApart) {
+  const RunQuestions run = QuestionsOf(RunWith(Verdict::kFail), {"deep"});
+  const Failures failures =
+      FailuresOf(run, std::vector<std::optional<OracleTally>>{std::nullopt});
+  EXPECT_EQ(failures.unasked, 1U);
+  EXPECT_EQ(failures.vanished, 0U);
 }
 
 TEST(RunFailures, AreNotThoseThatTheLedgerKnowsOrThatNobodyProved) {
