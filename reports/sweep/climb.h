@@ -31,11 +31,6 @@ TrueQuestions QuestionsOf(const FileSeries& block);
  of the smaller body, is larger; that of a wrong hit or miss is the certified distance.
  This is a (1+1) evolution strategy with random step sizes (Rechenberg, 1973).
 
- It looks for many faults, and not for the largest error of one. When it has found a fault
- that cannot become graver (a miss, an error over 10 %, or an answer that is missing), it
- begins again with the family's question of that index, and errors of that measure, or
- answers that end like that, count no more.
-
  Question i is a pure function of the series, the subject and i: if the block starts in
  the middle of a climb, the climb is computed from its start.
  @pre block.climb > 1. */

@@ -26,9 +26,8 @@ double RelativeDepth(const ContactQuery& query) {
 }
 
 TEST(ClimbOf, StartsWithTheFamilyAndGetsWorse) {
-  // Off by 5 % of the depth: a fault that can always become graver.
-  const auto nearly = Spheres("nearly", 0.95);
-  const TrueQuestions questions = ClimbOf(kClimbs, *nearly);
+  const auto half = Spheres("half", 0.5);  // Off by half of the depth.
+  const TrueQuestions questions = ClimbOf(kClimbs, *half);
   ASSERT_EQ(questions.scenarios.size(), kClimbs.count);
   int climbed = 0;
   for (std::size_t start = 0; start < kClimbs.count; start += kClimbs.climb) {
@@ -47,22 +46,6 @@ TEST(ClimbOf, StartsWithTheFamilyAndGetsWorse) {
     ++climbed;
   }
   EXPECT_GT(climbed, 0);
-}
-
-TEST(ClimbOf, BeginsAgainAfterAFaultThatCannotBecomeGraver) {
-  const auto half = Spheres("half", 0.5);
-  const TrueQuestions questions = ClimbOf(kClimbs, *half);
-  int begun = 0;
-  for (std::size_t i = 1; i < kClimbs.count; ++i) {
-    const bool is_of_the_family =
-        WriteScenario(questions.scenarios[i]) == WriteScenario(ScenarioAt(kClimbs, i));
-    if (i % kClimbs.climb == 0 || !is_of_the_family) continue;
-    ++begun;
-    // The error that was found is over 10 %: a fifth of the diameter deep.
-    EXPECT_GT(RelativeDepth(questions.scenarios[i - 1].contact), 0.2);
-  }
-  EXPECT_GE(begun, 1);
-  EXPECT_LE(begun, 3 * 4);  // Once for each measure at most, in three climbs.
 }
 
 TEST(ClimbOf, IsAPureFunctionOfTheIndex) {
