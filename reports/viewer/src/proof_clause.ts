@@ -22,7 +22,7 @@ const shorter: [RegExp, string][] = [
   [new RegExp(`it says n = ${vector}, along which`), "it says one along which"],
   [new RegExp(` along ${vector}; the overlap along it`), " along its normal; the overlap along that"],
   [new RegExp(`(moving B by [^ ]+ m) along ${vector} separates`), "$1 separates"],
-  [new RegExp(` at ${vector} on A and ${vector} on B; these are`), " whose points are"],
+  [new RegExp(`puts its points at ${vector} on A and ${vector} on B; these are`), "puts its points"],
   [new RegExp(`the point ${vector} lies`), "a point lies"],
   [/(?:\.{1,2})?\/?(?:[\w.-]+\/){2,}([\w.-]+:\d)/, "$1"],
   [new RegExp(`the plane n·x = [^ ]+ with n = ${vector} separates`), "a plane separates"],

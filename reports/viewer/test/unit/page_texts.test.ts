@@ -19,6 +19,7 @@ describe("a proof in a clause", () => {
     expect(proofClause("fcl says n = (0, 0, 1), along which B must move 0.6 m; moving B by 0.22 m along (1, 0, 0) separates them, 0.38 m less.")).toBe("fcl makes B move 0.6 m, where 0.22 m are enough, 0.38 m less.");
     expect(proofClause("fcl says n = (0, 0, 1), along which B must move 0.01000004 m; moving B by 0.01 m along (1, 0, 0) separates them.")).toBe("fcl makes B move 0.01000004 m, where 0.01 m are enough.");
     expect(proofClause("ode has b at (0.123456, 0, 1) after 1 s; it is at (2, 0, 0)")).toBe("ode has b at (0.123, 0, 1) after 1 s; it is at (2, 0, 0)");
+    expect(proofClause("libccd/epa puts its points at (0.1, 0.2, 0.3) on A and (0, 0, 1e-3) on B; these are 1.5 m and 0.0123456 m from the surfaces.")).toBe("libccd/epa puts its points 1.5 m and 0.0123 m from the surfaces.");
     expect(proofClause("ode says apart; the point (0.5, 1, 2) lies 0.01 m inside both.")).toBe("ode says apart; a point lies 0.01 m inside both.");
     expect(proofClause("fcl says n = (1, 0, 0), along which that is 1 m; for its variant (rigid_motion: both turned by (0.3, 0.5) about the origin, then moved by (0.7, -0.4, 1)), mapped back, it says n = (0, 1, 0), along which that is 2 m")).toBe("fcl says a normal along which that is 1 m; for the same question moved as a whole it says one along which that is 2 m");
     // The difference is the rounding of the length beside it: more digits would not add up.
