@@ -536,7 +536,7 @@ class CommandLine {
 
   void AddTriage() {
     CLI::App* app =
-        AddCommand("triage", "Find the root causes of the failures of a sweep",
+        AddCommand("triage", "Find the root causes of the failures of a sweep or run",
                    [this] { return TriageCommand(session_, triage_); });
     app->add_option("DIR", triage_.source,
                     "folder that `touchstone sweep --out` or `touchstone run --out` "

@@ -5,6 +5,8 @@
 
 #include <sys/wait.h>
 
+#include "reports/text/shell_quoted.h"
+
 namespace touchstone {
 
 CommandResult RunInShell(const std::string& command) {
@@ -22,19 +24,6 @@ CommandResult RunInShell(const std::string& command) {
                 : WIFSIGNALED(status) ? 128 + WTERMSIG(status)
                                       : kNoShell;
   return result;
-}
-
-std::string ShellQuoted(const std::string& word) {
-  std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  quoted += '\'';
-  return quoted;
 }
 
 bool IsInstalled(const std::string& program) {

@@ -13,9 +13,6 @@ struct CommandResult {
 /** Runs a command in a POSIX shell, and waits for it. */
 CommandResult RunInShell(const std::string& command);
 
-/** Returns `word` quoted for a POSIX shell. */
-std::string ShellQuoted(const std::string& word);
-
 /** Returns whether the shell finds a program of that name. */
 bool IsInstalled(const std::string& program);
 

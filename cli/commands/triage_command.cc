@@ -20,6 +20,7 @@
 #include "cli/select_oracles.h"
 #include "cli/shell.h"
 #include "reports/sweep/sweep_file.h"
+#include "reports/text/shell_quoted.h"
 #include "reports/triage/known_faults.h"
 #include "reports/triage/root_files.h"
 #include "reports/triage/triage_index.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/shell.h"
+#include "reports/text/shell_quoted.h"
 
 namespace touchstone {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "cli/input_error.h"
 #include "cli/shell.h"
+#include "reports/text/shell_quoted.h"
 
 namespace touchstone {
 namespace {

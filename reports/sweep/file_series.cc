@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "reports/text/fnv_1a.h"
+#include "reports/text/shell_quoted.h"
 #include "scenarios/scenario_file.h"
 
 namespace touchstone {
@@ -34,10 +35,7 @@ std::string AsShellWord(const std::string& word) {
     return IsLetterOrDigit(c) ||
            std::string_view("_-./+,:@%").find(c) != std::string::npos;
   });
-  if (is_plain) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + '\'';
+  return is_plain ? word : ShellQuoted(word);
 }
 
 }  // namespace

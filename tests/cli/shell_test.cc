@@ -2,14 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "reports/text/shell_quoted.h"
+
 namespace touchstone {
 namespace {
-
-TEST(ShellQuoted, QuotesWhatAShellWouldExpand) {
-  EXPECT_EQ(ShellQuoted("a b$c"), "'a b$c'");
-  EXPECT_EQ(ShellQuoted("it's"), "'it'\\''s'");
-  EXPECT_EQ(ShellQuoted(""), "''");
-}
 
 TEST(RunInShell, ReturnsTheOutputAndHowItEnded) {
   const CommandResult result = RunInShell("echo out; echo more; exit 3");
