@@ -81,7 +81,7 @@ int ReproduceCommand(const Session& session, const ReproduceArguments& arguments
   const OutputFolder folder(arguments.out);
   folder.Write("reproduce.cc", [&](std::ostream& out) { out << written.files.program; });
   folder.Write("CMakeLists.txt", [&](std::ostream& out) { out << written.files.build; });
-  folder.Write("REPORT.md", [&](std::ostream& out) { out << written.files.report; });
+  folder.Write("REPORT.md", [&](std::ostream& out) { out << ReportFile(written.files); });
   const std::string path = arguments.out.string();
   std::cout << fmt::format(
       "{0}\nWrote reproduce.cc, CMakeLists.txt and REPORT.md to {1}/. Nothing was built. "

@@ -1,7 +1,6 @@
 #include "reports/referee/flat_direction.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -12,7 +11,7 @@ namespace {
 
 using Fine = DoubleDouble;
 
-/** Returns R v, exact but for 2^-100 of it. */
+/** Returns R v with a relative error of at most some 2^-100. */
 FineDirection Turned(const Eigen::Matrix3d& R, const Eigen::Vector3d& v) {
   const auto row = [&](int i) {
     return Fine(R(i, 0)) * Fine(v.x()) + Fine(R(i, 1)) * Fine(v.y()) +

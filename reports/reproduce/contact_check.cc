@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <optional>
-#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,17 +16,6 @@
 namespace touchstone {
 namespace {
 
-std::string_view Decision(bool touching) {
-  return touching ? "touching" : "apart";
-}
-
-FaultCheck CheckOfAnswersLike(const ContactAnswer& answer) {
-  FaultCheck check;
-  check.applies = SaysTouching(answer.touching);
-  check.applies_to = Decision(answer.touching);
-  return check;
-}
-
 /** Calls `check(a, b, n)` for the two points of every contact and, if the recorded answer
  has them, for the witness points. */
 std::string ForAllPoints(const ContactAnswer& answer) {
@@ -35,7 +24,8 @@ std::string ForAllPoints(const ContactAnswer& answer) {
       "    const Vector n = Unit(c.n);\n"
       "    check(Along(c.p, -c.s / 2, n), Along(c.p, c.s / 2, n), n);\n"
       "  }\n";
-  if (answer.witnesses) text += "  check(answer.a, answer.b, Unit(answer.n));\n";
+  if (answer.witnesses)
+    text += "  if (answer.a != answer.b) check(answer.a, answer.b, Unit(answer.n));\n";
   return text;
 }
 
@@ -111,6 +101,20 @@ double WidestGap(const ContactAnswer& answer) {
 
 }  // namespace
 
+FaultCheck OfAnswersLike(const ContactAnswer& answer, std::string definitions,
+                         std::string statements) {
+  return {.definitions = std::move(definitions),
+          .statements = std::move(statements),
+          .applies = SaysTouching(answer.touching),
+          .applies_to = answer.touching ? "touching" : "apart"};
+}
+
+FaultCheck OfNearestPoints(FaultCheck check) {
+  check.applies += " && answer.a != answer.b";
+  check.applies_to += ", with nearest points";
+  return check;
+}
+
 std::string SaysTouching(bool touching) {
   return touching ? "answer.touching" : "!answer.touching";
 }
@@ -132,14 +136,14 @@ std::string VectorText() {
 }
 
 FaultCheck SurfaceErrorCheck(const FaultSubject& subject) {
-  FaultCheck check = CheckOfAnswersLike(subject.answer);
+  FaultCheck check = OfAnswersLike(subject.answer);
   check.definitions = VectorText() + SignedDistancesText(subject.scenario.contact);
   check.statements = kSurfaces + ForAllPoints(subject.answer);
   return check;
 }
 
 FaultCheck ContactSeparationCheck(const FaultSubject& subject) {
-  FaultCheck check = CheckOfAnswersLike(subject.answer);
+  FaultCheck check = OfAnswersLike(subject.answer);
   // The measure is the widest gap if no body extends beyond a contact.
   if (subject.finding.value == WidestGap(subject.answer)) {
     check.statements = kSurplus;
@@ -161,7 +165,7 @@ FaultCheck ContactSeparationCheck(const FaultSubject& subject) {
 }
 
 FaultCheck TooDeepCheck(const FaultSubject& subject) {
-  FaultCheck check = CheckOfAnswersLike(subject.answer);
+  FaultCheck check = OfAnswersLike(subject.answer);
   check.statements = fmt::format(
       "  // No point lies deeper in both bodies than the shortest translation that\n"
       "  // separates them is long. The true separation is certified to be at least "
@@ -175,7 +179,7 @@ FaultCheck TooDeepCheck(const FaultSubject& subject) {
 }
 
 FaultCheck MixedNormalsCheck(const FaultSubject& subject) {
-  FaultCheck check = CheckOfAnswersLike(subject.answer);
+  FaultCheck check = OfAnswersLike(subject.answer);
   check.definitions = VectorText();
   check.statements =
       "  // The largest angle between the normals of two contacts, in radians.\n"
@@ -194,7 +198,7 @@ FaultCheck MixedNormalsCheck(const FaultSubject& subject) {
 }
 
 FaultCheck WitnessErrorCheck(const FaultSubject& subject) {
-  FaultCheck check = CheckOfAnswersLike(subject.answer);
+  FaultCheck check = OfNearestPoints(OfAnswersLike(subject.answer));
   check.definitions = VectorText();
   check.statements =
       "  const Vector ab = {answer.b[0] - answer.a[0], answer.b[1] - answer.a[1],\n"

@@ -11,6 +11,14 @@ namespace touchstone {
  a C++ expression of `answer`. */
 std::string SaysTouching(bool touching);
 
+/** Returns the check of answers that decide as `answer` does. */
+FaultCheck OfAnswersLike(const ContactAnswer& answer, std::string definitions = "",
+                         std::string statements = "");
+
+/** Returns `check` for those of its answers that have nearest points: an engine that
+ gives none is not wrong about them, and `Answer` then has zeros. */
+FaultCheck OfNearestPoints(FaultCheck check);
+
 /** The definitions of the vector operations that the checks of contacts use: Along(),
  Dot() and Unit(). */
 std::string VectorText();

@@ -1,7 +1,6 @@
 #include "reports/reproduce/fault_check.h"
 
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -94,32 +93,29 @@ std::string Truth(const ContactTruth& truth) {
       Literal(truth.separation.lo), Literal(truth.separation.hi));
 }
 
+/** Returns `check` for answers that have a separation. */
+FaultCheck OfSeparations(FaultCheck check) {
+  check.applies = "!std::isnan(answer.separation)";
+  check.applies_to = "how deep or how far apart they are";
+  return check;
+}
+
+/** Prints the truth, and sets `along` to the overlap along the normal of the answer. */
+std::string OverlapAlongNormal(const ContactTruth& truth) {
+  return Truth(truth) +
+         "  const double along = Overlap(answer.n);\n"
+         "  std::printf(\"overlap along its own normal: %.17g\\n\", along);\n";
+}
+
 /** A normal of this accuracy is one of unit length, also in single precision. [-] */
 constexpr double kUnitSlack = 1e-6;
-
-/** Returns `check` for answers that decide as `answer` does. */
-FaultCheck OfAnswersLike(const ContactAnswer& answer, FaultCheck check) {
-  check.applies = SaysTouching(answer.touching);
-  check.applies_to = answer.touching ? "touching" : "apart";
-  return check;
-}
-
-/** Returns `check` for answers that decide as `answer` does, or have a separation. */
-FaultCheck OfSeparationsLike(const ContactAnswer& answer, FaultCheck check) {
-  check = OfAnswersLike(answer, std::move(check));
-  check.applies += " || !std::isnan(answer.separation)";
-  check.applies_to += ", or one that has a separation";
-  return check;
-}
 
 /** The check of an answer that is invalid. */
 FaultCheck InvalidityCheck(const ContactAnswer& answer) {
   if (answer.separation && !std::isfinite(*answer.separation)) {
-    return OfAnswersLike(
-        answer,
-        {.definitions = "",
-         .statements = "  const double error = std::isfinite(answer.separation) ? 0 : "
-                       "std::numeric_limits<double>::infinity();\n"});
+    return OfAnswersLike(answer, "",
+                         "  const double error = std::isfinite(answer.separation) ? 0 : "
+                         "std::numeric_limits<double>::infinity();\n");
   }
   if (!answer.n_AB_W || std::abs(answer.n_AB_W->norm() - 1) <= kUnitSlack) {
     throw CannotReproduce(fmt::format(
@@ -128,14 +124,13 @@ FaultCheck InvalidityCheck(const ContactAnswer& answer) {
         kUnitSlack));
   }
   return OfAnswersLike(
-      answer,
-      {.definitions = "",
-       .statements = fmt::format(
-           "  const double length = std::hypot(answer.n[0], answer.n[1], answer.n[2]);\n"
-           "  std::printf(\"length of the normal: %.17g\\n\", length);\n"
-           "  const double deviation = std::abs(length - 1);\n"
-           "  const double error = deviation <= {} ? 0 : deviation;\n",
-           kUnitSlack)});
+      answer, "",
+      fmt::format(
+          "  const double length = std::hypot(answer.n[0], answer.n[1], answer.n[2]);\n"
+          "  std::printf(\"length of the normal: %.17g\\n\", length);\n"
+          "  const double deviation = std::abs(length - 1);\n"
+          "  const double error = deviation <= {} ? 0 : deviation;\n",
+          kUnitSlack));
 }
 
 }  // namespace
@@ -167,44 +162,33 @@ FaultCheck CheckOf(const Finding& finding, const ScenarioResult& result,
                   fmt::format("  const double error = answer.touching == {} ? 0 : 1;\n",
                               truth.separation.lo > 0 ? "false" : "true")};
     case MeasureKind::kSeparationError:
-      return OfSeparationsLike(
-          answer,
-          {.definitions = "",
-           .statements = Truth(truth) +
-                         "  const double s = answer.separation;\n"
-                         "  const double error = std::isnan(s) ? s : std::max({0.0, lo - "
-                         "s, s - hi});\n"});
+      return OfSeparations({.definitions = "",
+                            .statements = Truth(truth) +
+                                          "  const double s = answer.separation;\n"
+                                          "  const double error = std::max({0.0, lo - s, "
+                                          "s - hi});\n"});
     case MeasureKind::kConsistencyError:
-      return OfSeparationsLike(
-          answer,
+      return OfSeparations(
           {.definitions = Overlap(query),
            .statements =
-               Truth(truth) +
-               "  const double along = Overlap(answer.n);\n"
-               "  std::printf(\"overlap along its own normal: %.17g\\n\", along);\n"
+               OverlapAlongNormal(truth) +
                "  const double error = std::abs(-answer.separation - along);\n"});
     case MeasureKind::kExcess:
       return OfAnswersLike(
-          answer,
-          {.definitions = Overlap(query),
-           .statements =
-               Truth(truth) +
-               "  const double along = Overlap(answer.n);\n"
-               "  std::printf(\"overlap along its own normal: %.17g\\n\", along);\n"
-               "  const double error = along + lo;\n"});
+          answer, Overlap(query),
+          OverlapAlongNormal(truth) + "  const double error = along + lo;\n");
     case MeasureKind::kDualityGap:
-      return OfAnswersLike(
-          answer, {.definitions = Overlap(query),
-                   .statements =
-                       Truth(truth) +
-                       "  Vector n;\n"
-                       "  for (int i = 0; i < 3; ++i) n[i] = answer.b[i] - answer.a[i];\n"
-                       "  const double length = std::hypot(n[0], n[1], n[2]);\n"
-                       "  for (double& x : n) x /= length;\n"
-                       "  const double gap = -Overlap(n);\n"
-                       "  std::printf(\"distance of its points: %.17g, gap along them: "
-                       "%.17g\\n\", length, gap);\n"
-                       "  const double error = std::abs(length - gap);\n"});
+      return OfNearestPoints(OfAnswersLike(
+          answer, Overlap(query),
+          Truth(truth) +
+              "  Vector n;\n"
+              "  for (int i = 0; i < 3; ++i) n[i] = answer.b[i] - answer.a[i];\n"
+              "  const double length = std::hypot(n[0], n[1], n[2]);\n"
+              "  for (double& x : n) x /= length;\n"
+              "  const double gap = -Overlap(n);\n"
+              "  std::printf(\"distance of its points: %.17g, gap along them: "
+              "%.17g\\n\", length, gap);\n"
+              "  const double error = std::abs(length - gap);\n"));
     case MeasureKind::kContactSurfaceError:
       return SurfaceErrorCheck(subject);
     case MeasureKind::kContactSeparationError:

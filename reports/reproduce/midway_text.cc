@@ -45,18 +45,8 @@ struct Misfit {
 };
 
 std::string MisfitText(char name, const Body& body) {
-  const Eigen::Vector3d& p = body.X_WB.p_WB;
-  const Eigen::Matrix3d& R = body.X_WB.R_WB;
-  const auto along = [&](int i) {
-    return fmt::format("{} * u + {} * v + {} * w", Literal(R(0, i)), Literal(R(1, i)),
-                       Literal(R(2, i)));
-  };
-  return fmt::format(
-      "double Misfit{}(double u, double v, double w) {{\n"
-      "  u -= {};\n  v -= {};\n  w -= {};\n"
-      "  const double x = {};\n  const double y = {};\n  const double z = {};\n{}}}\n",
-      name, Literal(p.x()), Literal(p.y()), Literal(p.z()), along(0), along(1), along(2),
-      std::visit(Misfit{}, body.shape));
+  return fmt::format("double Misfit{}(double u, double v, double w) {{\n{}{}}}\n", name,
+                     InBodyFrame(body.X_WB), std::visit(Misfit{}, body.shape));
 }
 
 }  // namespace

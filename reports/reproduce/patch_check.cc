@@ -166,7 +166,7 @@ double LegallyUnspanned({}) {{
               "surface of A, and (%.17g, %.17g, %.17g), %.17g from that of B\n", p[0], p[1],
               p[2], a[0], a[1], a[2], FromA(a), b[0], b[1], b[2], FromB(b));
   // Across n, d.(p - c) is the share of the patch's extent by which a contact at c falls
-  // short of p. What all contacts fall short by, so does everything between them.
+  // short of p. No point between the contacts comes nearer to p than the nearest of them.
   const Vector d = {{{}}};
   double unspanned = 1;
   for (const Contact& c : answer.contacts) {{

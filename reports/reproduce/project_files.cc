@@ -19,8 +19,8 @@ std::string BuildFile(const EngineCode& engine) {
          "target_link_libraries(reproduce PRIVATE engine)\n";
 }
 
-std::string ReportFile(const ReportParts& parts, const OracleInfo& oracle,
-                       const EngineCode& engine, const Finding& finding) {
+std::string ReportOf(const ReportParts& parts, const OracleInfo& oracle,
+                     const EngineCode& engine, const Finding& finding) {
   const std::string truth =
       parts.truth.empty() ? "" : fmt::format("## Truth\n\n{}\n\n", parts.truth);
   // Neither a missing answer nor a wrong decision has an error that could be smaller.
@@ -30,20 +30,18 @@ std::string ReportFile(const ReportParts& parts, const OracleInfo& oracle,
                         finding.value, finding.tolerance, finding.tolerance_because)
           : "";
   return fmt::format(
-      "# {title}\n\n## Asked\n\n{call}, {library} {version} as on Debian 12.\n\n{asked}\n"
+      "## Asked\n\n{call}, {library} {version} as on Debian 12.\n\n{asked}\n"
       "`reproduce.cc` has the exact numbers.\n\n"
       "## Answer and proof\n\n{proof}\n\n{truth}"
       "{error}"
       "## Build and run\n\n    apt-get install g++ cmake make pkg-config {package}\n"
       "    cmake -S . -B build && cmake --build build && build/reproduce\n\n"
       "The program prints the answer and what is wrong with it. It exits 1 if the fault "
-      "is there and 0 if it is gone.\n\n## Output\n\nPaste the output of the program "
-      "here. It has not been run yet.\n",
-      fmt::arg("title", parts.title), fmt::arg("call", engine.call),
-      fmt::arg("library", oracle.library), fmt::arg("version", oracle.version),
-      fmt::arg("asked", parts.asked), fmt::arg("proof", finding.proof),
-      fmt::arg("truth", truth), fmt::arg("error", error),
-      fmt::arg("package", engine.package));
+      "is there and 0 if it is gone.\n\n",
+      fmt::arg("call", engine.call), fmt::arg("library", oracle.library),
+      fmt::arg("version", oracle.version), fmt::arg("asked", parts.asked),
+      fmt::arg("proof", finding.proof), fmt::arg("truth", truth),
+      fmt::arg("error", error), fmt::arg("package", engine.package));
 }
 
 }  // namespace touchstone

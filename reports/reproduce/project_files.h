@@ -16,13 +16,12 @@ std::string BuildFile(const EngineCode& engine);
 
 /** The parts of a report that depend on the kind of question. */
 struct ReportParts {
-  std::string title;
   std::string asked;  ///< The bodies or the world, as sentences.
   std::string truth;  ///< The right answer as a sentence; may be empty.
 };
 
-/** Returns REPORT.md, a text for the tracker of the engine. */
-std::string ReportFile(const ReportParts& parts, const OracleInfo& oracle,
-                       const EngineCode& engine, const Finding& finding);
+/** Returns Reproduction::report. */
+std::string ReportOf(const ReportParts& parts, const OracleInfo& oracle,
+                     const EngineCode& engine, const Finding& finding);
 
 }  // namespace touchstone

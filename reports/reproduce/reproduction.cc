@@ -173,10 +173,17 @@ Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
                   fmt::arg("check", judge.statements),
                   fmt::arg("proof", Quoted("When written: " + finding.proof)));
   files.build = BuildFile(engine);
-  files.report = ReportFile(
-      {.title = title, .asked = bodies, .truth = Describe(query, result.truth)}, oracle,
-      engine, finding);
+  files.title = title;
+  files.report = ReportOf({.asked = bodies, .truth = Describe(query, result.truth)},
+                          oracle, engine, finding);
   return files;
+}
+
+std::string ReportFile(const Reproduction& files) {
+  return fmt::format(
+      "# {}\n\n{}## Output\n\nPaste the output of the program here. It has not been run "
+      "yet.\n",
+      files.title, files.report);
 }
 
 }  // namespace touchstone

@@ -13,7 +13,10 @@ namespace touchstone {
 struct Reproduction {
   std::string program;  ///< reproduce.cc, against the engine's own API alone.
   std::string build;    ///< CMakeLists.txt
-  std::string report;   ///< REPORT.md, a text for the upstream tracker.
+  std::string title;    ///< The fault in a line, without a stop.
+  /** What was asked, the answer with its proof, and how to build and run the program: the
+   sections of a text for the upstream tracker between its title and its output. */
+  std::string report;
 };
 
 /** Returns the program that puts the question of `result` to the engine of `oracle`. It
@@ -25,5 +28,8 @@ Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
 /** The same for a world: the program simulates the world of `result` in the engine. */
 Reproduction Reproduce(const WorldResult& result, const OracleInfo& oracle,
                        const Finding& finding);
+
+/** Returns REPORT.md of files whose program has not been run yet. */
+std::string ReportFile(const Reproduction& files);
 
 }  // namespace touchstone

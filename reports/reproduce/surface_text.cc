@@ -119,22 +119,11 @@ struct Distance {
 }  // namespace
 
 std::string SignedDistanceText(char name, const Body& body) {
-  const Eigen::Vector3d& p = body.X_WB.p_WB;
-  const Eigen::Matrix3d& R = body.X_WB.R_WB;
-  const auto along = [&](int i) {
-    return fmt::format("{} * u + {} * v + {} * w", Literal(R(0, i)), Literal(R(1, i)),
-                       Literal(R(2, i)));
-  };
   return fmt::format(
       "\n// The signed distance of a point from the surface of {0}, negative inside.\n"
       "double From{0}(const Vector& point) {{\n"
-      "  const double u = point[0] - {1};\n  const double v = point[1] - {2};\n"
-      "  const double w = point[2] - {3};\n"
-      "  // The coordinates of the point in the frame of {0}.\n"
-      "  const double x = {4};\n  const double y = {5};\n  const double z = {6};\n"
-      "{7}}}\n",
-      name, Literal(p.x()), Literal(p.y()), Literal(p.z()), along(0), along(1), along(2),
-      std::visit(Distance{}, body.shape));
+      "  auto [u, v, w] = point;\n  // The point in the frame of {0}.\n{1}{2}}}\n",
+      name, InBodyFrame(body.X_WB), std::visit(Distance{}, body.shape));
 }
 
 std::string SignedDistancesText(const ContactQuery& query) {

@@ -87,8 +87,8 @@ Reproduction Reproduce(const WorldResult& result, const OracleInfo& oracle,
                   fmt::arg("measure", Quoted(NameOf(finding.measure))),
                   fmt::arg("proof", Quoted("When written: " + finding.proof)));
   files.build = BuildFile(engine);
-  files.report =
-      ReportFile({.title = title, .asked = asked, .truth = {}}, oracle, engine, finding);
+  files.title = title;
+  files.report = ReportOf({.asked = asked, .truth = {}}, oracle, engine, finding);
   return files;
 }
 

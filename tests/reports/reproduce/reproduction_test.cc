@@ -118,11 +118,25 @@ TEST_F(ReproductionTest, CountsNoAnswerThatDecidesOtherwise) {
                 HasSubstr("const bool applies = answer.touching;"))
         << NameOf(measure);
   }
-  // A separation can be checked whatever the engine decides.
+  // A separation can be checked whatever the engine decides, if there is one.
   finding_.measure = MeasureKind::kSeparationError;
   EXPECT_THAT(Reproduce(result_, oracle_, finding_).program,
-              HasSubstr("const bool applies = answer.touching || "
-                        "!std::isnan(answer.separation);"));
+              HasSubstr("const bool applies = !std::isnan(answer.separation);"));
+}
+
+// Without any, the program would have zeros for them.
+TEST_F(ReproductionTest, CountsNoAnswerWithoutNearestPoints) {
+  ContactAnswer& answer = result_.answers.emplace_back();
+  answer.separation = 0.5;
+  answer.witnesses = {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX()};
+  for (const MeasureKind measure :
+       {MeasureKind::kDualityGap, MeasureKind::kWitnessError}) {
+    finding_.measure = measure;
+    EXPECT_THAT(
+        Reproduce(result_, oracle_, finding_).program,
+        HasSubstr("const bool applies = !answer.touching && answer.a != answer.b;"))
+        << NameOf(measure);
+  }
 }
 
 TEST_F(ReproductionTest, RefusesTheSurfaceOfAFlatHull) {
