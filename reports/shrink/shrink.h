@@ -18,8 +18,8 @@ struct ShrinkOptions {
   /** The greatest number of smaller questions that are asked. Their shifts are asked in
    addition. */
   std::size_t tries = 5000;
-  /** What the value of the fault must stay over, in place of the rules of IsSameFault().
-   [unit of the measure] */
+  /** If not empty, the value of the fault stays over this number, and may otherwise
+   become smaller; see IsSameFault(). [unit of the measure] */
   std::optional<double> over = std::nullopt;
   /** Limit of the answers that time out: each takes seconds. */
   std::size_t hangs = std::numeric_limits<std::size_t>::max();

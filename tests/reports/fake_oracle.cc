@@ -21,16 +21,12 @@ Capability Everything() {
   return capability;
 }
 
-/** Returns points that span the true patch: its corners, drawn to the middle in steps of
- 2 % until both bodies reach there, since the polygon around a disc is 2 % wider. A rim
- and an edge meet in a point whose place along the edge is known to the root of a rounding
- only: there may be none. */
-std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
-                                         const ContactTruth& truth,
-                                         const Eigen::Vector3d& n_W, double separation) {
-  const double e = 16 * 0x1p-53 * SceneSize(query);
-  const double reached = 2 * e + truth.input_rounding;
-  const ContactPatch patch = PatchAlong(query, n_W, separation, e);
+}  // namespace
+
+std::vector<Eigen::Vector3d> ReachedCorners(const ContactQuery& query,
+                                            const ContactPatch& patch,
+                                            const Eigen::Vector3d& n_W, double separation,
+                                            double reached) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& corner : patch.vertices_W)
     middle += corner / static_cast<double>(patch.vertices_W.size());
@@ -47,8 +43,6 @@ std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
   return points;
 }
 
-}  // namespace
-
 ContactAnswer RightAnswer(const ContactQuery& query) {
   const ContactTruth truth = ComputeContactTruth(query);
   const double separation =
@@ -62,8 +56,10 @@ ContactAnswer RightAnswer(const ContactQuery& query) {
     answer.witnesses = {truth.certificate.p_WCa, truth.certificate.p_WCb};
     return answer;
   }
-  for (const Eigen::Vector3d& p_WC :
-       PatchPoints(query, truth, *answer.n_AB_W, separation))
+  const double e = 16 * 0x1p-53 * SceneSize(query);
+  const ContactPatch patch = PatchAlong(query, *answer.n_AB_W, separation, e);
+  for (const Eigen::Vector3d& p_WC : ReachedCorners(
+           query, patch, *answer.n_AB_W, separation, 2 * e + truth.input_rounding))
     answer.points.push_back({p_WC, separation, {}});
   if (answer.points.empty())
     return UnsupportedAnswer("the place of the contact is not known well enough");
@@ -83,7 +79,7 @@ FakeOracle FakeOracle::Wrong(
   return FakeOracle(std::move(name),
                     [plant = std::move(plant)](const ContactQuery& query) {
                       ContactAnswer answer = RightAnswer(query);
-                      plant(query, answer);
+                      if (answer.status == AnswerStatus::kAnswered) plant(query, answer);
                       return answer;
                     });
 }

@@ -2,10 +2,22 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "oracles/oracle.h"
+#include "reports/referee/contact_truth.h"
 
 namespace touchstone {
+
+/** Returns points that span a patch of `query` along the unit normal n_W [m]: its
+ corners, drawn to its middle in steps of 2 % until both bodies, which overlap by
+ −`separation`, reach there to within `reached`. The polygon around a disc is 2 % wider
+ than the disc. A rim and an edge meet in a point whose place along the edge is known only
+ to the root of a rounding: there may be none. */
+std::vector<Eigen::Vector3d> ReachedCorners(const ContactQuery& query,
+                                            const ContactPatch& patch,
+                                            const Eigen::Vector3d& n_W, double separation,
+                                            double reached);
 
 /** Returns the right answer to `query`, made from the certified truth. It has every field
  that an oracle can return, and contacts that span the true patch. Unsupported if no point

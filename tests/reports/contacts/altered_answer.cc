@@ -12,6 +12,7 @@
 #include "reports/measures/contact_surface_error.h"
 #include "reports/measures/patch_coverage.h"
 #include "reports/referee/referee.h"
+#include "tests/reports/fake_oracle.h"
 #include "tests/reports/referee/second_referee.h"
 
 namespace touchstone {
@@ -47,29 +48,17 @@ double Extent(std::span<const Eigen::Vector3d> points) {
   return extent;
 }
 
-/** Returns the corners of the patch along `n_W`, drawn to its middle by 2 % at a time
- until both bodies reach there. A corner that the question's own rounding tilts away
- counts as reached. Returns none if they reach only one corner of several: the patch is
- flush with a direction near `n_W`, and a right answer spans it. */
+/** Returns the ReachedCorners() of the patch along `n_W`. A corner that the question's
+ own rounding tilts away counts as reached. Returns none if only one corner of several is:
+ the patch is flush with a direction near `n_W`, and a right answer spans it. */
 std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
                                          const ContactTruth& truth,
                                          const Eigen::Vector3d& n_W, double separation,
                                          const Accuracy& accuracy) {
   const double e = accuracy.length;
-  const double reached = std::max(0.75 * e, truth.input_rounding);
   const ContactPatch patch = PatchAlong(query, n_W, separation, e);
-  const Eigen::Vector3d middle = Middle(patch.vertices_W);
-  std::vector<Eigen::Vector3d> points;
-  for (const Eigen::Vector3d& corner : patch.vertices_W) {
-    for (int step = 0; step < 6; ++step) {
-      const double drawn = 1 - 0.02 * step;
-      const Eigen::Vector3d p_W = middle + drawn * (corner - middle);
-      const WitnessPoints on = SurfacePointsOf({p_W, separation, {}}, n_W);
-      if (SurfaceError(query, on) > reached) continue;
-      points.push_back(p_W);
-      break;
-    }
-  }
+  std::vector<Eigen::Vector3d> points = ReachedCorners(
+      query, patch, n_W, separation, std::max(0.75 * e, truth.input_rounding));
   if (points.size() == 1 && patch.vertices_W.size() > 1) return {};
   return points;
 }

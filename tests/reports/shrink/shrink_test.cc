@@ -235,13 +235,19 @@ TEST(RoundToDigits, RoundsToDecimals) {
   EXPECT_EQ(RoundToDigits(0, 4), 0);
 }
 
+/** A direction that is 0.1 m longer than the shortest, where 1 mm is allowed. */
+Finding LongDirection() {
+  Finding finding;
+  finding.measure = MeasureKind::kExcess;
+  finding.value = 0.1;
+  finding.tolerance = 1e-3;
+  finding.verdict = Verdict::kFail;
+  finding.grade = Grade::kLarge;
+  return finding;
+}
+
 TEST(SameFault, DoesNotShrinkIntoARounding) {
-  Finding original;
-  original.measure = MeasureKind::kExcess;
-  original.value = 0.1;
-  original.tolerance = 1e-3;
-  original.verdict = Verdict::kFail;
-  original.grade = Grade::kLarge;
+  const Finding original = LongDirection();
   EXPECT_TRUE(IsSameFault(original, original));
   Finding other = original;
   other.value = 0.049;
@@ -255,12 +261,7 @@ TEST(SameFault, DoesNotShrinkIntoARounding) {
 }
 
 TEST(SameFault, StaysOverTheNumberThatTheUserGives) {
-  Finding original;
-  original.measure = MeasureKind::kExcess;
-  original.value = 0.1;
-  original.tolerance = 1e-3;
-  original.verdict = Verdict::kFail;
-  original.grade = Grade::kLarge;
+  const Finding original = LongDirection();
   Finding other = original;
   other.value = 0.02;
   other.grade = Grade::kSmall;
