@@ -43,13 +43,12 @@ void RequireSameOracles(const SweepFile& file,
 std::set<std::string> Wanted(const Session& session,
                              const std::vector<std::string>& asked,
                              const std::string& list) {
-  if (list.empty()) return {asked.begin(), asked.end()};
+  if (list.empty() || list == "all") return {asked.begin(), asked.end()};
   std::set<std::string> wanted;
-  for (const QuestionKind kind : {QuestionKind::kContact, QuestionKind::kWorld}) {
-    for (const Oracle* const oracle : SubjectsNamed(session.registry, list, kind)) {
-      if (std::ranges::find(asked, oracle->info().name) != asked.end())
-        wanted.insert(oracle->info().name);
-    }
+  for (const Oracle* const oracle :
+       SubjectsNamed(session.registry, list, QuestionKind::kContact)) {
+    if (std::ranges::find(asked, oracle->info().name) != asked.end())
+      wanted.insert(oracle->info().name);
   }
   if (!wanted.empty()) return wanted;
   throw InputError(fmt::format("--subject {}: was not asked; expected one of {}", list,

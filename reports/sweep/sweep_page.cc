@@ -418,10 +418,10 @@ class FilesAgain {
   std::map<std::string, FileOfQuestions> files_;
 };
 
-/** Makes question `index` of a series, which was put to `subject`. That of a file that is
- no longer there is left out. */
-void Make(const std::string& id, const Series& series, std::uint64_t index,
-          const Oracle& subject, FilesAgain& files, Collected& to) {
+/** Adds question `index` of a series, as `subject` was asked it, to `to`. Adds nothing if
+ it is from a file that is no longer there. */
+void AddQuestion(const std::string& id, const Series& series, std::uint64_t index,
+                 const Oracle& subject, FilesAgain& files, Collected& to) {
   if (const auto* file = std::get_if<FileSeries>(&series)) {
     if (std::optional<Scenario> question = files.QuestionAt(*file, index))
       to.Add(id, std::move(*question));
@@ -475,7 +475,8 @@ KeptQuestions ReadKeptQuestions(
     const Series& series = sweep.SeriesAt(worst.Integer(8));
     const std::uint64_t question = worst.Unsigned(9);
     const std::string id = PageIdOf(series, question, oracle);
-    if (!kept.Has(id)) Make(id, series, question, oracle_named(oracle), files, kept);
+    if (!kept.Has(id))
+      AddQuestion(id, series, question, oracle_named(oracle), files, kept);
   }
   return {sweep.settings.subjects, std::move(kept).Take()};
 }

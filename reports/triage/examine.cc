@@ -9,20 +9,13 @@
 #include "reports/finding/ending.h"
 #include "reports/shrink/same_fault.h"
 #include "reports/shrink/shrink.h"
-#include "scenarios/scenario_file.h"
+#include "reports/triage/kept_question.h"
 
 namespace touchstone {
 namespace {
 
 /** The number of answers that may time out while a question is shrunk: twenty seconds. */
 constexpr std::size_t kHangs = 10;
-
-/** @pre The sweep wrote `text`. */
-Question QuestionIn(const std::string& text) {
-  ReadResult read = ReadScenario(text, "a kept failure");
-  if (read.world) return std::move(*read.world);
-  return std::move(read.scenario.value());
-}
 
 /** Returns the finding of the symptom, if `report` has one. */
 const Finding* SymptomIn(const RunReport& report, const Symptom::Key& key) {
@@ -125,7 +118,7 @@ Specimen AskAgain(const Symptom& symptom, const Oracle& oracle) {
   specimen.symptoms = {symptom};
   specimen.oracle = &oracle;
   for (const FailedQuestion& kept : symptom.kept) {
-    Question question = QuestionIn(kept.scenario);
+    Question question = QuestionOf(kept);
     std::optional<Found> fault = FaultOf(symptom, question, oracle);
     if (!fault) continue;
     specimen.is_repeatable = true;
@@ -135,7 +128,7 @@ Specimen AskAgain(const Symptom& symptom, const Oracle& oracle) {
     specimen.finding = std::move(fault->finding);
     return specimen;
   }
-  specimen.original = QuestionIn(symptom.kept.front().scenario);
+  specimen.original = QuestionOf(symptom.kept.front());
   return specimen;
 }
 

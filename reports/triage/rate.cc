@@ -21,7 +21,7 @@ ShareInterval IntervalOf(const Rate& rate) {
   const double z2_n = kZ * kZ / n;
   const double middle = (p + z2_n / 2) / (1 + z2_n);
   const double half = kZ / (1 + z2_n) * std::sqrt(p * (1 - p) / n + z2_n / (4 * n));
-  // Of none and of all, the end is exact but for a rounding.
+  // If none or all failed, the end is 0 or 1: the formula only rounds it.
   return {rate.failed == 0 ? 0 : std::max(0.0, middle - half),
           rate.failed == rate.asked ? 1 : std::min(1.0, middle + half)};
 }

@@ -12,7 +12,7 @@
 
 #include "reports/clusters/measure_words.h"
 #include "reports/finding/ending.h"
-#include "reports/shrink/size.h"
+#include "reports/triage/kept_question.h"
 
 namespace touchstone {
 namespace {
@@ -48,7 +48,7 @@ std::string FailureOf(const Specimen& specimen) {
     case MeasureKind::kContactOffPatch:
     case MeasureKind::kPatchCoverage:
     case MeasureKind::kContactCount:
-      // Of bodies apart, the nearest points are off the surfaces.
+      // Bodies that are apart have no contacts: their nearest points are judged.
       return touching ? "gives wrong contact points" : "gives wrong nearest points";
     case MeasureKind::kDualityGap:
     case MeasureKind::kWitnessError:
@@ -70,11 +70,6 @@ bool IsOfItsShapes(const Specimen& specimen, const RootKey& key) {
          std::holds_alternative<WorldScenario>(specimen.question);
 }
 
-std::string PairName(ShapeKind a, ShapeKind b) {
-  const auto [first, second] = std::minmax(NameOf(a), NameOf(b));
-  return fmt::format("{} and {}", first, second);
-}
-
 /** Returns the kinds of the bodies, each once and sorted; both of a contact question. */
 std::string ShapesOf(const Question& question) {
   if (const auto* const scenario = std::get_if<Scenario>(&question)) {
@@ -94,31 +89,20 @@ std::string AlgorithmOf(const Specimen& specimen) {
   return specimen.oracle->info().For(KindOf(A.shape), KindOf(B.shape)).family;
 }
 
-/** Returns the band of a finding by its grade; an answer that is missing is wrong. */
-Band BandOf(const Finding& finding) {
-  return EndingOf(finding).empty() ? static_cast<Band>(finding.grade) : Band::kWrong;
-}
-
 /** Returns the band of the gravest symptom, which is the first. */
 Band BandOf(const Specimen& specimen) {
   const std::map<Band, std::uint64_t>& bands = specimen.symptoms.front().bands;
   return bands.empty() ? Band::kNone : bands.rbegin()->first;
 }
 
-/** Returns what a question is chosen by: one of everyday sizes, then the simplest. */
-std::pair<int, Size> PlainnessOf(const Question& question) {
-  const Size size = SizeOf(question);
-  return {size.decades, size};
-}
-
-/** Makes `joined` stand for the symptoms of `other`, too, and takes the simpler question
+/** Makes `joined` stand for the symptoms of `other`, too, and takes the plainer question
  of those of the gravest band. */
 void Join(Specimen other, Specimen& joined) {
-  const bool is_simpler = BandOf(other) == BandOf(joined) &&
+  const bool is_plainer = BandOf(other) == BandOf(joined) &&
                           PlainnessOf(other.question) < PlainnessOf(joined.question);
   std::vector<Symptom> symptoms = std::move(joined.symptoms);
   std::ranges::move(other.symptoms, std::back_inserter(symptoms));
-  if (is_simpler) joined = std::move(other);
+  if (is_plainer) joined = std::move(other);
   joined.symptoms = std::move(symptoms);
 }
 
@@ -127,11 +111,11 @@ void Sum(Root& root, std::span<const Asked> asked,
          std::span<const Oracle* const> oracles) {
   std::map<Band, std::uint64_t> bands;  // Answers by the band of their fault.
   std::ranges::stable_sort(root.specimens, std::less{}, [](const Specimen& specimen) {
-    return SizeOf(specimen.question);
+    return PlainnessOf(specimen.question);
   });
   for (const Specimen& specimen : root.specimens) {
     for (const Symptom& symptom : specimen.symptoms) {
-      // Of these answers one has a variant that shows the fault.
+      // The fault is that of a variant: the answers themselves do not have it.
       const bool is_own = !IsOfAVariant(symptom.key.measure) ||
                           root.key.failure == kDiffersInAnotherFrame;
       for (const auto& [what, failed] : symptom.failed) {
@@ -142,7 +126,7 @@ void Sum(Root& root, std::span<const Asked> asked,
       for (const auto& [band, failed] : symptom.bands) bands[band] += failed;
     }
     // Where only variants show it, that of the question which is shown.
-    bands.try_emplace(BandOf(specimen.finding), 0);
+    bands.try_emplace(BandOf(specimen.finding.grade, EndingOf(specimen.finding)), 0);
   }
   const std::vector<std::string> shown_by = OraclesOf(root);
   for (const Asked& row : asked) {

@@ -37,14 +37,14 @@ bool MayShow(const RootKey& root, const AskedPair& pair, const OracleInfo& oracl
 RootKey KeyOf(const Specimen& specimen);
 
 /** Returns specimens of the same key as one, which then stands for the symptoms of all:
- that of the simplest question in the band of the gravest symptom. Keeps the order, and
+ that of the plainest question in the band of the gravest symptom. Keeps the order, and
  those that are not repeatable. */
 std::vector<Specimen> Joined(std::vector<Specimen> specimens);
 
 /** Failures with one root cause. */
 struct Root {
   RootKey key;
-  std::vector<Specimen> specimens;  ///< The one of the smallest question first.
+  std::vector<Specimen> specimens;  ///< The one of the plainest question first.
   /** How often it was found, by oracle and Asked::what: in all questions whose answers by
    an oracle that shows it may come from the code that fails. */
   std::map<std::pair<std::string, std::string>, Rate> rates;

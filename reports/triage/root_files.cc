@@ -33,9 +33,8 @@ std::string AskedOf(const Specimen& specimen) {
     WorldScenario bare = *world;
     bare.indicts.clear();
     return fmt::format(
-        "this world, in metres, kilograms and seconds. Sizes are halves, places are "
-        "those "
-        "of the centres, quaternions are (w, x, y, z).\n\n{}",
+        "this world, in metres, kilograms and seconds. Sizes are halves, places those of "
+        "the centres, quaternions are (w, x, y, z).\n\n{}",
         CodeBlock(TextOf(Question(bare))));
   }
   const ScenarioResult& result = specimen.report.scenarios.front();
@@ -94,21 +93,15 @@ std::string NoteOf(const Root& root) {
 
 /** Returns the part of a report that says what was asked and answered. */
 std::string QuestionPart(const Root& root, const RootProgram& program) {
-  if (program.files) {
-    // Without its own title, and without its last section, the output that it lacks.
-    const std::string& report = program.files->report;
-    const std::size_t begin = report.find("\n\n");
-    return "# " + TitleOf(root) + "\n\n" + NoteOf(root) +
-           report.substr(begin + 2, report.find("## Output") - begin - 2);
-  }
+  const std::string head = fmt::format("# {}\n\n{}", TitleOf(root), NoteOf(root));
+  if (program.files) return head + program.files->report;
   const Specimen& smallest = root.smallest();
   return fmt::format(
-      "# {title}\n\n{note}## Asked\n\n{library} {version}: {asked}\n"
+      "{head}## Asked\n\n{library} {version}: {asked}\n"
       "{settings}## Answer and proof\n\n{proof}{error}\n\n"
       "There is no program against the library's own API: {reason}. With Touchstone: "
       "`touchstone run case.toml --subject {oracle} --against {oracle}`.\n\n",
-      fmt::arg("title", TitleOf(root)), fmt::arg("note", NoteOf(root)),
-      fmt::arg("library", smallest.oracle->info().library),
+      fmt::arg("head", head), fmt::arg("library", smallest.oracle->info().library),
       fmt::arg("version", smallest.oracle->info().version),
       fmt::arg("asked", AskedOf(smallest)), fmt::arg("settings", SettingsPart(smallest)),
       fmt::arg("proof", smallest.finding.proof),
@@ -157,7 +150,9 @@ std::string RatePart(const Root& root) {
   if (others.asked > 0)
     table += fmt::format("| all | the others | {} |\n", ToString(others));
   std::string of_bands;
-  if (root.gravest.failed < root.rate.failed) {
+  if (root.gravest.failed == 0 && root.rate.failed > 0) {
+    of_bands = " All of these are milder than the case above.";
+  } else if (root.gravest.failed < root.rate.failed) {
     of_bands = fmt::format(" Of these {} are {}; the others are milder.",
                            root.gravest.failed, NameOf(root.band));
   }
@@ -185,9 +180,9 @@ std::string NeighbourhoodPart(const Root& root) {
   if (!smallest.shifts) return text;
   return text +
          fmt::format(
-             "## Neighbourhood\n\nThe same fault, by the same measure and proof and of "
-             "the "
-             "same grade, is in {} of {} questions in which B is moved and turned by 1 % "
+             "## Neighbourhood\n\nThe same fault, by the same measure and proof and "
+             "of the same grade, is in {} of {} questions in which B is moved and turned "
+             "by 1 % "
              "of the smallest radius or half side.\n\n",
              *smallest.shifts, kShifts);
 }
@@ -196,8 +191,7 @@ std::string KnownPart(const std::vector<std::string>& known) {
   if (known.empty()) return "## Known\n\nThe ledger of known faults has none like it.\n";
   return fmt::format(
       "## Known\n\nThe ledger has faults of these oracles with these measures and "
-      "verdicts; "
-      "it may be one of them:\n\n- {}\n",
+      "verdicts; it may be one of them:\n\n- {}\n",
       fmt::join(known, "\n- "));
 }
 

@@ -1,6 +1,5 @@
 #include "reports/triage/run_failures.h"
 
-#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -29,9 +28,7 @@ Question QuestionIn(const std::string& id, const std::string& text) {
 std::string SubjectOf(const Question& question) {
   const auto* const scenario = std::get_if<Scenario>(&question);
   if (scenario == nullptr) return "worlds";
-  const auto [first, second] = std::minmax(NameOf(KindOf(scenario->contact.A.shape)),
-                                           NameOf(KindOf(scenario->contact.B.shape)));
-  return fmt::format("{}, {}", first, second);
+  return PairName(KindOf(scenario->contact.A.shape), KindOf(scenario->contact.B.shape));
 }
 
 /** Returns Asked::what and Asked::pair of the question. */
@@ -56,7 +53,7 @@ RunQuestions QuestionsOf(const ReadReportData& run,
   for (const auto& [cell, measured] : run.baseline.cells) {
     if (measured.verdict != Verdict::kUnsupported)
       answered.emplace(cell.scenario, cell.oracle);
-    if (IsFailure(measured.verdict) && measured.verdict != Verdict::kDisagree)
+    if (IsFault(measured.verdict))
       failed[{cell.scenario, cell.oracle}].emplace(cell.measure, cell.law);
   }
   for (const auto& [answer, cells] : failed) {
@@ -98,7 +95,7 @@ OracleTally AskAgain(const FailedAnswer& answer, const Oracle& oracle) {
   std::vector<double> shares_of_faults;
   for (std::size_t i = 0; i < report.findings.size(); ++i) {
     const Finding& finding = report.findings[i];
-    if (!IsFailure(finding.verdict) ||
+    if (!IsFault(finding.verdict) ||
         !answer.cells.contains({finding.measure, finding.law}))
       continue;
     faults.push_back(finding);

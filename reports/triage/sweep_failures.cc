@@ -1,6 +1,5 @@
 #include "reports/triage/sweep_failures.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,12 +9,10 @@
 namespace touchstone {
 namespace {
 
-/** Returns the two shapes of a pair, whatever their order, or the family of worlds. */
+/** Returns Symptom::Key::of the questions of a series. */
 std::string SubjectOf(const Series& series) {
   const auto pair = PairOf(series);
-  if (!pair) return OriginOf(series);
-  const auto [first, second] = std::minmax(NameOf(pair->first), NameOf(pair->second));
-  return fmt::format("{}, {}", first, second);
+  return pair ? PairName(pair->first, pair->second) : OriginOf(series);
 }
 
 /** Returns the family or the file, and the pair in its order. */

@@ -5,8 +5,9 @@
 #include <tuple>
 #include <utility>
 
-#include "reports/shrink/size.h"
-#include "scenarios/scenario_file.h"
+#include <fmt/format.h>
+
+#include "reports/triage/kept_question.h"
 
 namespace touchstone {
 namespace {
@@ -14,56 +15,57 @@ namespace {
 /** The greatest number of questions that stay with a symptom. */
 constexpr std::size_t kKept = 4;
 
-/** Orders failures by gravity, but for their share. */
-std::pair<bool, Grade> BandOf(const FailedQuestion& failure) {
-  return {!failure.kind.ending.empty(), failure.kind.band};
+Band BandOf(const FindingKind& kind) {
+  return BandOf(kind.band, kind.ending);
 }
 
-/** Orders failures by gravity. */
-std::tuple<bool, Grade, double> GravityOf(const FailedQuestion& failure) {
-  return {!failure.kind.ending.empty(), failure.kind.band, failure.share};
+/** The gravest failure has the largest. */
+std::pair<Band, double> GravityOf(const FailedQuestion& failure) {
+  return {BandOf(failure.kind), failure.share};
 }
 
-/** Returns the size of the question of a failure. */
-Size SizeOf(const FailedQuestion& failure) {
-  ReadResult read = ReadScenario(failure.scenario, "a kept failure");
-  return read.world ? touchstone::SizeOf(std::move(*read.world))
-                    : touchstone::SizeOf(std::move(read.scenario.value()));
-}
-
-/** Returns `kKept` of `failures`: the gravest band first, and in it the simplest. */
-std::vector<FailedQuestion> SimplestOf(const std::vector<FailedQuestion>& failures) {
-  // One of everyday sizes is preferred to one with less to read.
-  std::vector<std::pair<const FailedQuestion*, std::pair<int, Size>>> sized;
-  sized.reserve(failures.size());
-  for (const FailedQuestion& failure : failures) {
-    const Size size = SizeOf(failure);
-    sized.emplace_back(&failure, std::pair(size.decades, size));
-  }
-  std::ranges::stable_sort(sized, [](const auto& a, const auto& b) {
-    const auto band_a = BandOf(*a.first);
-    const auto band_b = BandOf(*b.first);
-    return band_a != band_b ? band_a > band_b : a.second < b.second;
+/** Returns `kKept` of `failures`: of the gravest band first, and of one band the
+ * plainest.
+ */
+std::vector<FailedQuestion> PlainestOf(const std::vector<FailedQuestion>& failures) {
+  using Ranked = std::tuple<Band, std::pair<int, Size>, const FailedQuestion*>;
+  std::vector<Ranked> ranked;
+  ranked.reserve(failures.size());
+  for (const FailedQuestion& failure : failures)
+    ranked.emplace_back(BandOf(failure.kind), PlainnessOf(QuestionOf(failure)), &failure);
+  std::ranges::stable_sort(ranked, [](const Ranked& a, const Ranked& b) {
+    if (std::get<Band>(a) != std::get<Band>(b))
+      return std::get<Band>(a) > std::get<Band>(b);
+    return std::get<1>(a) < std::get<1>(b);
   });
-  std::vector<FailedQuestion> simplest;
-  for (std::size_t i = 0; i < std::min(sized.size(), kKept); ++i)
-    simplest.push_back(*sized[i].first);
-  return simplest;
+  std::vector<FailedQuestion> plainest;
+  for (std::size_t i = 0; i < std::min(ranked.size(), kKept); ++i)
+    plainest.push_back(*std::get<2>(ranked[i]));
+  return plainest;
 }
+
+}  // namespace
 
 bool IsFault(Verdict verdict) {
   return IsFailure(verdict) && verdict != Verdict::kDisagree;
 }
 
-}  // namespace
+Band BandOf(Grade grade, const std::string& ending) {
+  return ending.empty() ? static_cast<Band>(grade) : Band::kWrong;
+}
+
+std::string PairName(ShapeKind a, ShapeKind b) {
+  const auto [first, second] = std::minmax(NameOf(a), NameOf(b));
+  return fmt::format("{} and {}", first, second);
+}
 
 std::vector<Symptom> GravestFirst(const Symptoms& symptoms) {
-  std::vector<std::pair<std::tuple<bool, Grade, double>, Symptom>> by_gravity;
+  std::vector<std::pair<std::pair<Band, double>, Symptom>> by_gravity;
   for (const auto& [key, found] : symptoms) {
     if (found.kept.empty()) continue;
     const FailedQuestion& gravest = *std::ranges::max_element(found.kept, {}, GravityOf);
     Symptom symptom{.key = key,
-                    .kept = SimplestOf(found.kept),
+                    .kept = PlainestOf(found.kept),
                     .failed = found.failed,
                     .bands = found.bands};
     by_gravity.emplace_back(GravityOf(gravest), std::move(symptom));
@@ -88,8 +90,7 @@ void AddAnswers(const OracleTally& tally, const std::string& oracle,
     if (!IsFault(kind.verdict)) continue;
     Symptom& symptom = symptom_of(kind);
     symptom.failed[what] += count;
-    symptom.bands[kind.ending.empty() ? static_cast<Band>(kind.band) : Band::kWrong] +=
-        count;
+    symptom.bands[BandOf(kind)] += count;
     failures.failed += count;
   }
   for (const auto& [kind, kept] : tally.failures) {

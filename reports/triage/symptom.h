@@ -14,13 +14,24 @@
 
 namespace touchstone {
 
+/** Returns whether a verdict is a proved fault: an answer that merely differs from those
+ of other oracles is none. */
+bool IsFault(Verdict verdict);
+
+/** Returns the band of a fault by its grade; a missing answer, which has an ending, is a
+ wrong one. */
+Band BandOf(Grade grade, const std::string& ending);
+
+/** Returns "box and sphere", whatever the order. */
+std::string PairName(ShapeKind a, ShapeKind b);
+
 /** The failed answers of one oracle that look alike: they have one decisive measure and
  one ending, and belong to one pair of shapes in either order, or one family of worlds. */
 struct Symptom {
   /** The properties that its answers share. */
   struct Key {
     std::string oracle;
-    std::string of;  ///< "box, sphere" or a family of worlds.
+    std::string of;  ///< PairName(), or a family of worlds.
     MeasureKind measure;
     Verdict verdict;
     std::string law;        ///< Same as Finding::law.
@@ -30,8 +41,8 @@ struct Symptom {
     auto operator<=>(const Key&) const = default;
   };
   Key key;
-  /** Four of those that were kept, of the gravest band if there are as many: the simplest
-   first. */
+  /** At most four of those that were kept: of the gravest band first, and of one band the
+   plainest, see PlainnessOf(). */
   std::vector<FailedQuestion> kept;
   /** The number of answers that show it, by Asked::what. */
   std::map<std::string, std::uint64_t> failed;

@@ -34,7 +34,7 @@ Symptom SymptomIn(const Scenario& scenario, const Oracle& oracle) {
   Symptom symptom;
   Symptom::Key& key = symptom.key;
   key.oracle = oracle.info().name;
-  key.of = std::string("box, sphere");
+  key.of = std::string("box and sphere");
   key.measure = finding.measure;
   key.verdict = finding.verdict;
   key.ending = ending;

@@ -159,11 +159,7 @@ TEST(ARightEngine, HasNoRootCause) {
 }
 
 TEST_P(AnInjectedFault, IsOneRootCauseOfItsName) {
-  const FakeOracle oracle("engine", [](const ContactQuery& query) {
-    ContactAnswer answer = RightAnswer(query);
-    if (answer.status == AnswerStatus::kAnswered) GetParam().plant(query, answer);
-    return answer;
-  });
+  const FakeOracle oracle = FakeOracle::Wrong("engine", GetParam().plant);
   const std::vector<Root> roots = RootsOfANight(oracle);
   for (const Root& root : roots) {
     if (roots.size() != 1)
@@ -175,22 +171,41 @@ TEST_P(AnInjectedFault, IsOneRootCauseOfItsName) {
     EXPECT_THAT(TitleOf(roots[0]), testing::HasSubstr(words));
 }
 
-// Neither follows from the other: the contacts are farther off than the depth is wrong.
+// Neither follows from the other: the depth is off by a part of the depth, the contacts
+// are off by the size of the body.
 TEST(TwoInjectedFaults, AreTwoRootCauses) {
-  const FakeOracle oracle("engine", [](const ContactQuery& query) {
-    ContactAnswer answer = RightAnswer(query);
-    if (!answer.touching || !AreBoth(query, ShapeKind::kSphere)) return answer;
-    answer.separation = 1.02 * *answer.separation;
-    const double r = std::get<Sphere>(query.A.shape).radius;
-    for (ContactPoint& point : answer.points) {
-      point.separation = *answer.separation;
-      point.p_WC += 2 * r * answer.n_AB_W->unitOrthogonal();
-    }
-    return answer;
-  });
+  const FakeOracle oracle =
+      FakeOracle::Wrong("engine", [](const ContactQuery& query, ContactAnswer& answer) {
+        if (!AreBoth(query, ShapeKind::kSphere) || !answer.touching) return;
+        const double depth = DepthOf(query, answer);
+        if (depth < 0.2) *answer.separation *= 1.02;
+        if (depth > 0.2) {
+          for (ContactPoint& point : answer.points)
+            point.p_WC = query.A.X_WB.p_WB + query.B.X_WB.p_WB;
+        }
+      });
   std::vector<std::string> titles;
   for (const Root& root : RootsOfANight(oracle)) titles.push_back(TitleOf(root));
-  EXPECT_THAT(titles, testing::Contains(testing::HasSubstr("wrong contact points")));
+  EXPECT_THAT(titles, testing::UnorderedElementsAre(
+                          testing::HasSubstr("states a wrong depth"),
+                          testing::HasSubstr("gives wrong contact points")));
+}
+
+// A contact far off is not explained by a depth that is off by a fiftieth.
+TEST(AFaultOfTheContacts, IsNotOneOfADepthThatIsLessWrong) {
+  const FakeOracle oracle =
+      FakeOracle::Wrong("engine", [](const ContactQuery& query, ContactAnswer& answer) {
+        if (!AreBoth(query, ShapeKind::kSphere) || !answer.touching) return;
+        *answer.separation *= 1.02;
+        for (ContactPoint& point : answer.points) {
+          point.separation = *answer.separation;
+          point.p_WC += 2 * std::get<Sphere>(query.A.shape).radius *
+                        answer.n_AB_W->unitOrthogonal();
+        }
+      });
+  const std::vector<Root> roots = RootsOfANight(oracle);
+  ASSERT_EQ(roots.size(), 1U);
+  EXPECT_THAT(TitleOf(roots[0]), testing::HasSubstr("gives wrong contact points"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Triage, AnInjectedFault, testing::ValuesIn(kInjected),

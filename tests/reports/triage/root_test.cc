@@ -172,15 +172,15 @@ TEST(RootFiles, SayHowTheProgramEnded) {
   const Root root = RootsAmongBoxesAndBalls({SpecimenOf(kBoxAndBall, oracle)}).at(0);
   const RootProgram program{.files = Reproduction{.program = "int main() {}",
                                                   .build = "project(x)",
-                                                  .report = "# Title\n\n## Asked\n\n## "
-                                                            "Output\n\nPaste it."},
+                                                  .title = "A title",
+                                                  .report = "## Asked\n\n"},
                             .reason = ""};
   const auto report = [&](ProgramEnding ending) {
     return ReportOf(root, program, ProgramOutput{"one\ntwo", ending}, {});
   };
   EXPECT_THAT(report(ProgramEnding::kShowsFault),
-              AllOf(HasSubstr("## Output\n\n    one\n    two\n"),
-                    testing::Not(HasSubstr("Paste it"))));
+              AllOf(HasSubstr("## Asked\n\n## Output\n\n    one\n    two\n"),
+                    testing::Not(HasSubstr("A title"))));
   EXPECT_THAT(report(ProgramEnding::kShowsNone), HasSubstr("does not show the fault"));
   EXPECT_THAT(report(ProgramEnding::kNotBuilt), HasSubstr("could not be built"));
   EXPECT_THAT(report(ProgramEnding::kUnfinished), HasSubstr("did not come to its end"));

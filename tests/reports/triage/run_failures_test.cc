@@ -50,7 +50,7 @@ TEST(RunFailures, AreTheAnswersThatFailAgain) {
   EXPECT_EQ(failures.vanished, 0U);
   ASSERT_EQ(failures.symptoms.size(), 1U);
   const Symptom& symptom = failures.symptoms[0];
-  EXPECT_EQ(symptom.key.of, "box, sphere");
+  EXPECT_EQ(symptom.key.of, "box and sphere");
   EXPECT_TRUE(symptom.key.touching);
   EXPECT_EQ(symptom.failed.at("box and sphere"), 1U);
   EXPECT_GT(symptom.kept.at(0).share, 0.01);

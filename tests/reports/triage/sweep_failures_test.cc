@@ -39,7 +39,7 @@ TEST(Symptoms, JoinFamiliesAndBothOrdersOfAPair) {
   std::uint64_t failed = 0;
   for (const Symptom& symptom : failures.symptoms) {
     EXPECT_EQ(symptom.key.oracle, "deep");
-    EXPECT_EQ(symptom.key.of, "box, sphere");
+    EXPECT_EQ(symptom.key.of, "box and sphere");
     EXPECT_FALSE(symptom.kept.empty());
     for (const auto& [asked, count] : symptom.failed) {
       EXPECT_LE(count, 40U);
