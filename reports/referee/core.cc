@@ -1,7 +1,31 @@
 #include "reports/referee/core.h"
 
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
 namespace touchstone::referee {
 namespace {
+
+/** Calls `visit` with the vertices that may be the farthest along a direction n, as far
+ as doubles tell: one of some dozens, unless several are equally far.
+ @param n The direction to within `error`, by coordinate. */
+template <typename Visit>
+void ForEachFarthest(Vertices vertices, const Eigen::Vector3d& n,
+                     const Eigen::Vector3d& error, Visit visit) {
+  // A dot product is off by four roundings of each of its terms, and a bound by some
+  // more.
+  constexpr double kRounding = 16 * kRoundoff<double>;
+  const Eigen::Vector3d most = error + kRounding * n.cwiseAbs();
+  double least = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& v : vertices)
+    least = std::max(least, n.dot(v) - most.dot(v.cwiseAbs()));
+  for (const Eigen::Vector3d& v : vertices) {
+    // Written so that no NaN leaves out a vertex.
+    if (!(n.dot(v) + most.dot(v.cwiseAbs()) < least)) visit(v);
+  }
+}
 
 struct ToCore {
   const Pose& X_WB;
@@ -38,11 +62,19 @@ struct MaxDot {
            Number(box.half_extents.z()) * Abs(n.z);
   }
   Number operator()(const Vertices& vertices) const {
-    Number most = Dot(n, Exactly<Number>(vertices[0]));
-    for (const Eigen::Vector3d& v : vertices.subspan(1)) {
-      most = Max(most, Dot(n, Exactly<Number>(v)));
+    std::optional<Number> most;
+    const auto visit = [&](const Eigen::Vector3d& v) {
+      const Number along = Dot(n, Exactly<Number>(v));
+      most = most ? Max(*most, along) : along;
+    };
+    if constexpr (std::is_same_v<Real, double>) {
+      for (const Eigen::Vector3d& v : vertices) visit(v);
+    } else {
+      ForEachFarthest(vertices,
+                      {Nearest(n.x.value()), Nearest(n.y.value()), Nearest(n.z.value())},
+                      {n.x.error(), n.y.error(), n.z.error()}, visit);
     }
-    return most;
+    return *most;
   }
   Number operator()(const Cylinder& cylinder) const {
     return Number(cylinder.half_length) * Abs(n.z) + Number(cylinder.radius) * Radial();
@@ -67,14 +99,19 @@ struct Farthest {
             Towards(n.z, box.half_extents.z())};
   }
   Vector<Real> operator()(const Vertices& vertices) const {
-    const Eigen::Vector3d* farthest = &vertices[0];
-    Real most = Dot(n, Exactly<Real>(*farthest));
-    for (const Eigen::Vector3d& v : vertices.subspan(1)) {
+    const Eigen::Vector3d* farthest = nullptr;
+    Real most(0);
+    const auto visit = [&](const Eigen::Vector3d& v) {
       const Real along = Dot(n, Exactly<Real>(v));
-      if (along > most) {
-        most = along;
-        farthest = &v;
-      }
+      if (farthest != nullptr && !(along > most)) return;
+      most = along;
+      farthest = &v;
+    };
+    if constexpr (std::is_same_v<Real, double>) {
+      for (const Eigen::Vector3d& v : vertices) visit(v);
+    } else {
+      ForEachFarthest(vertices, {Nearest(n.x), Nearest(n.y), Nearest(n.z)},
+                      Eigen::Vector3d::Zero(), visit);
     }
     return Exactly<Real>(*farthest);
   }

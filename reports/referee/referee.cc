@@ -3,12 +3,12 @@
 #include <array>
 #include <limits>
 
+#include "reports/referee/closed_distance.h"
 #include "reports/referee/core_truth.h"
 #include "reports/referee/digits.h"
 #include "reports/referee/direction.h"
 #include "reports/referee/half_space.h"
 #include "reports/referee/input_rounding.h"
-#include "reports/referee/nearest_in_core.h"
 #include "reports/referee/nearest_point.h"
 #include "reports/referee/overlap_in.h"
 #include "reports/referee/proved.h"
@@ -147,22 +147,18 @@ Enclosure Overlap(const ContactQuery& query, const Eigen::Vector3d& n_W) {
 }
 
 Enclosure SignedDistance(const Body& body, const Eigen::Vector3d& p_W) {
+  if (const auto distance = ClosedDistance(body, p_W)) return *distance;
   // A ball of radius zero: the separation from it is the distance of its centre.
   const Body point{Sphere{0}, Pose::FromMatrix(p_W, Eigen::Matrix3d::Identity())};
   const ContactQuery query{body, point};
   if (HasHalfSpace(query)) return JudgeAgainstPlane(query).separation;
-  // A number needs no certificate: its points take a tenth of the time.
   const auto [scaled, unit] = InOwnUnit(query);
   const MinkowskiDifference M(scaled.A, scaled.B);
+  const BoundedTruth<DoubleDouble> truth(scaled, M);
+  const Enclosure& distance = truth.separation;
   // The direction of a certificate is rounded to doubles. Near a surface that leaves some
   // 2^-53 of the scene unproved, whatever the digits of the search.
   const double left = std::numeric_limits<double>::epsilon() * M.Size();
-  if (const auto nearest = NearestInCore(M)) {
-    const Enclosure distance = Proved(scaled, *nearest);
-    if (distance.hi - distance.lo <= left) return InMetres(distance, unit);
-  }
-  const BoundedTruth<DoubleDouble> truth(scaled, M);
-  const Enclosure& distance = truth.separation;
   if (distance.hi - distance.lo <= left || truth.IsFinal(M))
     return InMetres(distance, unit);
   return InMetres(BoundedTruth<Precise>(scaled, M).separation, unit);
