@@ -75,8 +75,9 @@ std::vector<Batch> BatchesOf(std::span<const Oracle* const> oracles,
 struct Round {
   explicit Round(std::size_t oracles) : queries(oracles), answers(oracles) {}
 
-  /** Asks all questions. Questions that an oracle does not support are not put to it. */
-  void Ask(std::span<const Oracle* const> oracles, int jobs,
+  /** Asks all questions, until the run is stopped. Questions that an oracle does not
+   support are not put to it. */
+  void Ask(std::span<const Oracle* const> oracles, const RunOptions& options,
            const std::function<void(std::size_t)>& on_done);
 
   std::vector<std::vector<ContactQuery>> queries;
@@ -120,15 +121,16 @@ std::size_t AskSupported(const Oracle& oracle, const Batch& batch,
   return count;
 }
 
-void Round::Ask(std::span<const Oracle* const> oracles, int jobs,
+void Round::Ask(std::span<const Oracle* const> oracles, const RunOptions& options,
                 const std::function<void(std::size_t)>& on_done) {
   std::vector<std::size_t> counts;
   for (std::size_t i = 0; i < oracles.size(); ++i) {
     counts.push_back(queries[i].size());
     answers[i].resize(queries[i].size());
   }
-  const std::vector<Batch> batches = BatchesOf(oracles, counts, jobs);
-  ParallelFor(batches.size(), jobs, [&](std::size_t b) {
+  const std::vector<Batch> batches = BatchesOf(oracles, counts, options.jobs);
+  ParallelFor(batches.size(), options.jobs, [&](std::size_t b) {
+    if (options.stop && options.stop()) return;
     const std::size_t i = batches[b].oracle;
     const std::size_t asked =
         AskSupported(*oracles[i], batches[b], queries[i], answers[i]);
@@ -181,17 +183,14 @@ class Suite {
 
   RunReport Report(const Ledger& ledger) && {
     Progress(0, 0);
-    EstablishTruth();
-    AskQuestions();
-    Judge();
-    AskVariants();
-    SortFindings();
-    LimitExamination();
-    Explain();
-    Collect();
-    ExplainTheRest(report_.scenarios, report_.oracles, report_.findings);
-    RunTheWorlds();
-    DoubtFiles();
+    for (const auto stage :
+         {&Suite::EstablishTruth, &Suite::AskQuestions, &Suite::Judge,
+          &Suite::AskVariants, &Suite::SortFindings, &Suite::LimitExamination,
+          &Suite::Explain, &Suite::Collect, &Suite::ExplainTheRest, &Suite::RunTheWorlds,
+          &Suite::DoubtFiles}) {
+      (this->*stage)();
+      if (IsStopped()) return std::move(report_);
+    }
     report_.ledger = ledger;
     ApplyLedger(report_, options_.today, options_.partial, options_.is_oracle);
     for (const WorldResult& result : report_.worlds) {
@@ -203,6 +202,8 @@ class Suite {
   }
 
  private:
+  bool IsStopped() const { return options_.stop && options_.stop(); }
+
   void EstablishTruth() {
     if (!options_.truths.empty()) return;
     ForEachScenario([this](ScenarioResult& result, std::vector<Finding>&) {
@@ -224,7 +225,7 @@ class Suite {
       for (const ScenarioResult& r : report_.scenarios)
         queries.push_back(r.scenario.contact);
     }
-    round.Ask(oracles_, options_.jobs, [this](std::size_t more) {
+    round.Ask(oracles_, options_, [this](std::size_t more) {
       Progress(more, kContactWork * static_cast<double>(more));
     });
     for (std::size_t s = 0; s < report_.scenarios.size(); ++s) {
@@ -246,8 +247,13 @@ class Suite {
                            total_ == 0 ? 0 : std::min(1.0, work_ / total_work_));
   }
 
+  void ExplainTheRest() {
+    touchstone::ExplainTheRest(report_.scenarios, report_.oracles, report_.findings);
+  }
+
   void RunTheWorlds() {
     WorldsOptions options = options_.worlds;
+    options.stop = options_.stop;
     options.jobs = options_.jobs;
     options.on_done = [this](double body_steps) { Progress(1, body_steps); };
     WorldsReport worlds = RunWorlds(world_scenarios_, oracles_, options);
@@ -296,7 +302,7 @@ class Suite {
     VariantsOfAll& variants = options_.variants ? *options_.variants : own;
     if (variants.empty()) {
       variants.resize(report_.scenarios.size());
-      ParallelFor(variants.size(), options_.jobs, [&](std::size_t s) {
+      ForEach(variants.size(), [&](std::size_t s) {
         variants[s] = VariantsOf(report_.scenarios[s].scenario);
       });
     }
@@ -317,8 +323,8 @@ class Suite {
         }
       }
     }
-    round.Ask(oracles_, options_.jobs, nullptr);
-    ParallelFor(asked.size(), options_.jobs, [&](std::size_t s) {
+    round.Ask(oracles_, options_, nullptr);
+    ForEach(asked.size(), [&](std::size_t s) {
       const ScenarioResult& result = report_.scenarios[s];
       std::optional<std::size_t> last;
       Tolerances tolerances;  // Those of oracle `last`.
@@ -406,7 +412,7 @@ class Suite {
     TruthsOfNeighbours& truths =
         options_.truths_of_neighbours ? *options_.truths_of_neighbours : own;
     truths.resize(findings_.size());
-    ParallelFor(findings_.size(), options_.jobs, [&](std::size_t s) {
+    ForEach(findings_.size(), [&](std::size_t s) {
       const ScenarioResult& result = report_.scenarios[s];
       ForEachOracle(findings_[s], [&](std::size_t i, std::span<Finding> of_oracle) {
         const OracleInfo& oracle = report_.oracles[i];
@@ -453,8 +459,16 @@ class Suite {
 
   template <typename Work>
   void ForEachScenario(Work work) {
-    ParallelFor(report_.scenarios.size(), options_.jobs,
-                [&](std::size_t s) { work(report_.scenarios[s], findings_[s]); });
+    ForEach(report_.scenarios.size(),
+            [&](std::size_t s) { work(report_.scenarios[s], findings_[s]); });
+  }
+
+  /** Calls `work(i)` for every i < count, unless the run is stopped. */
+  template <typename Work>
+  void ForEach(std::size_t count, Work work) {
+    ParallelFor(count, options_.jobs, [&](std::size_t i) {
+      if (!IsStopped()) work(i);
+    });
   }
 
   std::vector<WorldScenario> world_scenarios_;

@@ -56,8 +56,10 @@ struct RunOptions {
   std::optional<std::size_t> examined_per_kind;
   /** The contact findings that carry the reason of their tolerance. */
   Reasons reasons = Reasons::kOfAll;
-  /** Finds and keeps judged worlds, and stops; `jobs` and `on_done` are not used. Where
-   it stops, the report is not whole. */
+  /** Returns whether to stop, and from then on always. The report is then not whole. From
+   any thread; may be empty. */
+  std::function<bool()> stop;
+  /** Finds and keeps judged worlds; the rest is not used. */
   WorldsOptions worlds;
   /** Returns whether any build has an oracle of that name, see ApplyLedger(). */
   std::function<bool(std::string_view)> is_oracle;

@@ -108,9 +108,11 @@ class KeptWorlds {
                 [this](const WorldScenario& scenario, const OracleInfo& oracle,
                        const Examination& examination) {
                   Keep(scenario, oracle, examination);
-                },
-            .stop = [this] { return has_failed_ || Interrupt::signal() != 0; }};
+                }};
   }
+
+  /** Returns whether a result could not be kept. */
+  bool has_failed() const { return has_failed_; }
 
   /** Throws what went wrong when a result was to be kept. */
   void Rethrow() const {
@@ -181,8 +183,10 @@ int RunCommand(const Session& session, const RunArguments& arguments) try {
   std::optional<Baseline> baseline;
   if (arguments.baseline) baseline = BaselineIn(*arguments.baseline);
   const Interrupt interrupt;
-  options.worlds.stop = [] { return Interrupt::signal() != 0; };
   std::optional<KeptWorlds> kept;
+  options.stop = [&kept] {
+    return (kept && kept->has_failed()) || Interrupt::signal() != 0;
+  };
   if (out) kept.emplace(*folder, arguments.resume);
   if (kept) options.worlds = kept->Options();
   RunReport report = RunSuite(session, questions, oracles, ledger, options);

@@ -2,14 +2,15 @@
 
 namespace touchstone {
 
-SeriesTally AskBlock(const SweepPlan& plan, const SweepBlock& block) {
+std::optional<SeriesTally> AskBlock(const SweepPlan& plan, const SweepBlock& block,
+                                    const Stop& stop) {
   if (const auto* worlds = std::get_if<WorldSeries>(&block.questions))
-    return AskWorlds(plan, *worlds);
+    return AskWorlds(plan, *worlds, stop);
   std::optional<std::size_t> examined;
   if (block.number >= kExaminedBlocks) examined = kExaminedPerKind;
   if (const auto* file = std::get_if<FileSeries>(&block.questions))
-    return AskContacts(plan, *file, examined);
-  return AskContacts(plan, std::get<QuestionSeries>(block.questions), examined);
+    return AskContacts(plan, *file, examined, stop);
+  return AskContacts(plan, std::get<QuestionSeries>(block.questions), examined, stop);
 }
 
 }  // namespace touchstone

@@ -26,9 +26,10 @@ struct AskedQuestions {
 };
 
 /** Puts the questions to `subject` and counts its answers. `first` is the index of the
- first question in its series. */
-OracleTally Ask(const SweepPlan& plan, const Oracle* subject, std::uint64_t first,
-                std::optional<std::size_t> examined, AskedQuestions& asked) {
+ first question in its series. Empty if it was stopped. */
+std::optional<OracleTally> Ask(const SweepPlan& plan, const Oracle* subject,
+                               std::uint64_t first, std::optional<std::size_t> examined,
+                               const Stop& stop, AskedQuestions& asked) {
   RunOptions options;
   options.jobs = 1;
   options.partial = true;
@@ -37,8 +38,10 @@ OracleTally Ask(const SweepPlan& plan, const Oracle* subject, std::uint64_t firs
   options.truths_of_neighbours = &asked.truths_of_neighbours;
   options.variants = &asked.variants;
   options.examined_per_kind = examined;
+  options.stop = stop;
   const std::vector<const Oracle*> oracles = SubjectAndReferences(plan, subject);
   const RunReport report = Run(asked.questions.scenarios, oracles, {}, options);
+  if (stop && stop()) return std::nullopt;
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   OracleTally tally;
   for (std::size_t i = 0; i < asked.questions.scenarios.size(); ++i) {
@@ -59,31 +62,42 @@ OracleTally Ask(const SweepPlan& plan, const Oracle* subject, std::uint64_t firs
 }
 
 /** Puts the same questions to every subject. */
-SeriesTally AskAll(const SweepPlan& plan, std::uint64_t first,
-                   std::optional<std::size_t> examined, AskedQuestions asked) {
+std::optional<SeriesTally> AskAll(const SweepPlan& plan, std::uint64_t first,
+                                  std::optional<std::size_t> examined, const Stop& stop,
+                                  AskedQuestions asked) {
   SeriesTally tally;
-  for (const Oracle* subject : plan.subjects)
-    tally.oracles.push_back(Ask(plan, subject, first, examined, asked));
+  for (const Oracle* subject : plan.subjects) {
+    auto of_subject = Ask(plan, subject, first, examined, stop, asked);
+    if (!of_subject) return std::nullopt;
+    tally.oracles.push_back(std::move(*of_subject));
+  }
   return tally;
 }
 
 }  // namespace
 
-SeriesTally AskContacts(const SweepPlan& plan, const QuestionSeries& block,
-                        std::optional<std::size_t> examined) {
-  if (block.climb == 1)
-    return AskAll(plan, block.first, examined, {.questions = QuestionsOf(block)});
+std::optional<SeriesTally> AskContacts(const SweepPlan& plan, const QuestionSeries& block,
+                                       std::optional<std::size_t> examined,
+                                       const Stop& stop) {
+  if (block.climb == 1) {
+    return AskAll(plan, block.first, examined, stop,
+                  {.questions = QuestionsOf(block, stop)});
+  }
   SeriesTally tally;
   for (const Oracle* subject : plan.subjects) {
-    AskedQuestions asked{.questions = ClimbOf(block, *subject)};
-    tally.oracles.push_back(Ask(plan, subject, block.first, examined, asked));
+    AskedQuestions asked{.questions = ClimbOf(block, *subject, stop)};
+    auto of_subject = Ask(plan, subject, block.first, examined, stop, asked);
+    if (!of_subject) return std::nullopt;
+    tally.oracles.push_back(std::move(*of_subject));
   }
   return tally;
 }
 
-SeriesTally AskContacts(const SweepPlan& plan, const FileSeries& block,
-                        std::optional<std::size_t> examined) {
-  return AskAll(plan, block.first, examined, {.questions = QuestionsOf(block)});
+std::optional<SeriesTally> AskContacts(const SweepPlan& plan, const FileSeries& block,
+                                       std::optional<std::size_t> examined,
+                                       const Stop& stop) {
+  return AskAll(plan, block.first, examined, stop,
+                {.questions = QuestionsOf(block, stop)});
 }
 
 }  // namespace touchstone

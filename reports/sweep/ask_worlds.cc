@@ -27,13 +27,15 @@ RunReport ReportOf(const std::vector<WorldScenario>& scenarios, const Oracle& su
 
 }  // namespace
 
-SeriesTally AskWorlds(const SweepPlan& plan, const WorldSeries& block) {
+std::optional<SeriesTally> AskWorlds(const SweepPlan& plan, const WorldSeries& block,
+                                     const Stop& stop) {
   std::vector<WorldScenario> scenarios;
   for (std::uint64_t i = 0; i < block.count; ++i)
     scenarios.push_back(WorldAt(block, block.first + i));
   SeriesTally tally;
   for (const Oracle* subject : plan.subjects) {
     const RunReport report = ReportOf(scenarios, *subject);
+    if (stop && stop()) return std::nullopt;
     const std::vector<Outcome> outcomes = OutcomesOf(report);
     OracleTally& of_subject = tally.oracles.emplace_back();
     for (std::uint64_t i = 0; i < block.count; ++i) {

@@ -28,9 +28,10 @@ TrueQuestion QuestionAt(const AnySeries& series, std::uint64_t index) {
 }
 
 template <typename AnySeries>
-TrueQuestions AllQuestionsOf(const AnySeries& block) {
+TrueQuestions AllQuestionsOf(const AnySeries& block, const std::function<bool()>& stop) {
   TrueQuestions questions;
   for (std::uint64_t i = block.first; i < block.first + block.count; ++i) {
+    if (stop && stop()) return questions;
     TrueQuestion question = QuestionAt(block, i);
     questions.scenarios.push_back(std::move(question.scenario));
     questions.truths.push_back(question.truth);
@@ -85,20 +86,23 @@ ContactQuery Mutated(const ContactQuery& query, Random& random) {
 
 }  // namespace
 
-TrueQuestions QuestionsOf(const QuestionSeries& block) {
-  return AllQuestionsOf(block);
+TrueQuestions QuestionsOf(const QuestionSeries& block,
+                          const std::function<bool()>& stop) {
+  return AllQuestionsOf(block, stop);
 }
 
-TrueQuestions QuestionsOf(const FileSeries& block) {
-  return AllQuestionsOf(block);
+TrueQuestions QuestionsOf(const FileSeries& block, const std::function<bool()>& stop) {
+  return AllQuestionsOf(block, stop);
 }
 
-TrueQuestions ClimbOf(const QuestionSeries& block, const Oracle& subject) {
+TrueQuestions ClimbOf(const QuestionSeries& block, const Oracle& subject,
+                      const std::function<bool()>& stop) {
   TrueQuestions questions;
   TrueQuestion worst;
   double error = 0;
   const std::uint64_t start = block.first - block.first % block.climb;
   for (std::uint64_t i = start; i < block.first + block.count; ++i) {
+    if (stop && stop()) return questions;
     TrueQuestion question = QuestionAt(block, i);
     const bool is_start = i % block.climb == 0;
     if (!is_start) {

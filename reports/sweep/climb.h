@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -16,11 +17,14 @@ struct TrueQuestions {
   std::vector<ContactTruth> truths;
 };
 
-/** Returns the questions of `block`, without an oracle's help. @pre block.climb == 1. */
-TrueQuestions QuestionsOf(const QuestionSeries& block);
+/** Returns the questions of `block`, without an oracle's help; fewer once `stop` returns
+ true, as both others do. @pre block.climb == 1. */
+TrueQuestions QuestionsOf(const QuestionSeries& block,
+                          const std::function<bool()>& stop = nullptr);
 
 /** Returns the questions of `block`. @pre block.questions. */
-TrueQuestions QuestionsOf(const FileSeries& block);
+TrueQuestions QuestionsOf(const FileSeries& block,
+                          const std::function<bool()>& stop = nullptr);
 
 /** Returns the questions of `block` that a worst-case search puts to `subject`.
 
@@ -34,6 +38,7 @@ TrueQuestions QuestionsOf(const FileSeries& block);
  Question i is a pure function of the series, the subject and i: if the block starts in
  the middle of a climb, the climb is computed from its start.
  @pre block.climb > 1. */
-TrueQuestions ClimbOf(const QuestionSeries& block, const Oracle& subject);
+TrueQuestions ClimbOf(const QuestionSeries& block, const Oracle& subject,
+                      const std::function<bool()>& stop = nullptr);
 
 }  // namespace touchstone

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <optional>
 
 #include "reports/sweep/ask_block.h"
 #include "reports/threads/parallel_for.h"
@@ -19,11 +20,12 @@ void RunBlocks(
     const std::uint64_t block = options.shard.index + i * options.shard.count;
     if (failed || (options.stop && options.stop())) return;
     if (options.is_done && options.is_done(block)) return;
-    const SeriesTally result = AskBlock(plan, BlockOf(plan, block));
+    const std::optional<SeriesTally> result =
+        AskBlock(plan, BlockOf(plan, block), options.stop);
     const std::scoped_lock lock(taking);
-    if (failed) return;
+    if (failed || !result) return;
     try {
-      take(block, result);
+      take(block, *result);
     } catch (...) {
       error = std::current_exception();
       failed = true;

@@ -26,7 +26,8 @@ struct BlockOptions {
   Shard shard = {};
   /** Returns whether the result of a block is known already; may be empty. */
   std::function<bool(std::uint64_t block)> is_done = nullptr;
-  /** Returns whether to stop; no block is begun afterwards. May be empty. */
+  /** Returns whether to stop, and from then on always; blocks in progress are dropped.
+   May be empty. */
   std::function<bool()> stop = nullptr;
 };
 

@@ -23,7 +23,7 @@ class ExaminationTest : public testing::Test {
   /** Returns the results of the block as number `number` of its series. */
   OracleTally AskAs(std::uint64_t number) const {
     const SweepPlan plan{.series = {kBlock}, .subjects = {half_.get()}};
-    return AskBlock(plan, {0, kBlock, number}).oracles.at(0);
+    return AskBlock(plan, {0, kBlock, number}).value().oracles.at(0);
   }
 
   const std::unique_ptr<Oracle> half_ = Spheres("half", 0.5);

@@ -149,12 +149,42 @@ TEST_F(SweepFileTest, GoesOnAfterBeingKilledAndEndsWithTheSameBytes) {
 
 TEST_F(SweepFileTest, GoesOnAfterBeingStopped) {
   const std::string whole = Swept("whole", {});
-  int calls = 0;
+  int blocks = -1;  // Progress is told before the first block, too.
   {
     SweepFile file = SweepFile::Resume(Path("half.unfinished"), SettingsOf(plan_));
     EXPECT_FALSE(
-        Sweep(plan_, file, {.jobs = 1, .stop = [&calls] { return ++calls > 3; }}));
+        Sweep(plan_, file,
+              {.jobs = 1,
+               .stop = [&blocks] { return blocks >= 3; },
+               .on_progress = [&blocks](std::uint64_t, std::uint64_t) { ++blocks; }}));
     EXPECT_EQ(file.blocks().size(), 3U);
+  }
+  EXPECT_TRUE(Swept("half", {.jobs = 2}) == whole);
+}
+
+// Whoever presses Ctrl-C does not wait for a block of the slowest engine.
+TEST_F(SweepFileTest, DropsTheBlockInWhichItIsStopped) {
+  const std::string whole = Swept("whole", {});
+  // A question costs the question of whether to stop some times: when it is generated,
+  // asked and judged. So each number of calls ends in another part of a block.
+  const auto blocks_after = [&](int most) {
+    SweepFile file =
+        SweepFile::Create(":memory:", SettingsOf(plan_), SweepJournal::kNone);
+    int calls = 0;
+    EXPECT_FALSE(Sweep(plan_, file, {.jobs = 1, .stop = [&] { return ++calls > most; }}));
+    // At once: each of the loops that it is in asks, and no other.
+    EXPECT_LT(calls, most + 8 * static_cast<int>(kContactBlock));
+    return file.blocks().size();
+  };
+  EXPECT_EQ(blocks_after(100), 0U);
+  EXPECT_EQ(blocks_after(400), 0U);
+  EXPECT_EQ(blocks_after(1000), 0U);
+  {
+    int calls = 0;
+    SweepFile file = SweepFile::Resume(Path("half.unfinished"), SettingsOf(plan_));
+    EXPECT_FALSE(
+        Sweep(plan_, file, {.jobs = 1, .stop = [&] { return ++calls > 20000; }}));
+    EXPECT_GT(file.blocks().size(), 0U);
   }
   EXPECT_TRUE(Swept("half", {.jobs = 2}) == whole);
 }
