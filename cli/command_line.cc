@@ -451,8 +451,8 @@ class CommandLine {
         ->capture_default_str();
     app->add_option("--pair", sweep_.pairs,
                     "two shapes of a contact question, e.g. --pair box sphere; may be "
-                    "repeated (default: all pairs that a subject supports, or "
-                    "that a file has)")
+                    "repeated (default: all pairs that a subject supports, each in "
+                    "one order, as the other is a variant; or those of a file)")
         ->check(OneOf(ShapeNames()))
         ->type_name("SHAPE SHAPE")
         ->allow_extra_args(false);

@@ -79,18 +79,25 @@ std::vector<KindPair> ChosenPairs(const SweepArguments& arguments) {
   return pairs;
 }
 
+/** Returns the pairs of --pair, or those that a subject supports, each in one order: the
+ other order is a variant of every question. */
 std::vector<KindPair> PairsOf(const SweepArguments& arguments,
                               const std::vector<const Oracle*>& subjects) {
   std::vector<KindPair> pairs = ChosenPairs(arguments);
   if (!pairs.empty()) return pairs;
+  const auto is_supported = [&subjects](const KindPair& pair) {
+    return std::ranges::any_of(subjects, [&pair](const Oracle* subject) {
+      return subject->info().For(pair.first, pair.second).supported;
+    });
+  };
   for (int a = 0; a < kShapeKinds; ++a) {
-    for (int b = 0; b < kShapeKinds; ++b) {
+    for (int b = a; b < kShapeKinds; ++b) {
       const KindPair pair(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
-      if (std::any_of(subjects.begin(), subjects.end(), [&pair](const Oracle* subject) {
-            return subject->info().For(pair.first, pair.second).supported;
-          })) {
+      const KindPair swapped(pair.second, pair.first);
+      if (is_supported(pair))
         pairs.push_back(pair);
-      }
+      else if (is_supported(swapped))
+        pairs.push_back(swapped);
     }
   }
   return pairs;
