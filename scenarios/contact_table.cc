@@ -23,6 +23,12 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
+/** A program that writes one row wrongly writes all of them so. */
+constexpr std::size_t kMostErrors = 5;
+
+/** The column of a text that tells the row from the others. It may be left out. */
+constexpr std::string_view kNameColumn = "name";
+
 /** The columns of a body, without its name. A key of several numbers has a column for
  each, next to each other; only vertices share one. */
 constexpr std::array<std::string_view, 15> kColumns = {
@@ -75,7 +81,7 @@ std::string Suggestion(std::string_view misspelt,
   return nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest);
 }
 
-/** The first error of a table; it ends the reading. */
+/** The first error of a row, or of the header; it ends the reading of that. */
 class TableError : public std::exception {
  public:
   explicit TableError(Diagnostic why) : why_(std::move(why)) {}
@@ -95,19 +101,30 @@ class Reader {
     if (!NextLine())
       Fail("is empty", "a line that names the columns, e.g. A.shape,A.radius,…");
     ReadHeader();
-    while (NextLine()) {
-      if (!line_.empty() && line_ != "\r") ReadRow();
+    while (NextLine() && table_.errors.size() < kMostErrors) {
+      if (!line_.empty() && line_ != "\r") TryRow();
     }
+    if (!table_.errors.empty()) return Refused();
     if (table_.scenarios.empty())
       Fail("has no rows", "a question in each line below the names of the columns");
     if (normalised_ > 1)
       table_.note->what += fmt::format(", and so were {} more", normalised_ - 1);
     return std::move(table_);
   } catch (const TableError& error) {
-    return {.scenarios = {}, .error = error.why(), .note = {}};
+    table_.errors.push_back(error.why());
+    return Refused();
   }
 
  private:
+  /** Returns the errors alone. */
+  ContactTable Refused() {
+    return {.scenarios = {}, .errors = std::move(table_.errors), .note = {}};
+  }
+
+  void TryRow() try { ReadRow(); } catch (const TableError& error) {
+    table_.errors.push_back(error.why());
+  }
+
   bool NextLine() {
     if (text_.empty()) return false;
     const std::size_t end = std::min(text_.find('\n'), text_.size());
@@ -150,6 +167,7 @@ class Reader {
       for (const std::string_view column : kColumns)
         known.push_back(fmt::format("{}.{}", body, column));
     }
+    known.emplace_back(kNameColumn);
     const std::vector<std::string_view> views(known.begin(), known.end());
     for (std::size_t i = 0; i < names.size(); ++i) {
       const auto at =
@@ -158,10 +176,12 @@ class Reader {
         Fail(names[i],
              fmt::format("there is no column \"{}\"{}", names[i],
                          Suggestion(names[i], views)),
-             "columns of A and B: shape, sizes, position.x … z, quaternion.w … z");
+             "name, or columns of A and B: shape, sizes, position.x … z, quaternion.w … "
+             "z");
       }
       std::optional<std::size_t>& cell =
-          cells_[at / kColumns.size()][at % kColumns.size()];
+          names[i] == kNameColumn ? name_
+                                  : cells_[at / kColumns.size()][at % kColumns.size()];
       if (cell)
         Fail(names[i], fmt::format("{} is there twice", names[i]), "each column once");
       cell = i;
@@ -197,12 +217,21 @@ class Reader {
     const std::vector<Fault> faults = FaultsOf(scenario.contact);
     if (!faults.empty()) FailOn(faults.front());
     scenario.id = fmt::format("line_{}", number_);
-    scenario.title =
-        fmt::format("Line {} of {}", number_, file_.substr(file_.rfind('/') + 1));
+    scenario.title = fmt::format("{}Line {} of {}", NameAtRow(), number_,
+                                 file_.substr(file_.rfind('/') + 1));
     scenario.source = fmt::format("{}:{}", file_, number_);
     scenario.name_A = kBodies[0];
     scenario.name_B = kBodies[1];
     table_.scenarios.push_back(std::move(scenario));
+  }
+
+  /** Returns the name of the row and ": ", nothing if it has none. */
+  std::string NameAtRow() const {
+    if (!name_ || row_[*name_].empty()) return "";
+    const std::string_view name = row_[*name_];
+    if (std::ranges::any_of(name, [](char c) { return c < ' ' || c > '~'; }))
+      Fail(name, "the name has a character that is not printable ASCII", "no such");
+    return fmt::format("{}: ", name);
   }
 
   [[noreturn]] void FailOn(const Fault& fault) const {
@@ -355,6 +384,7 @@ class Reader {
   /** The cell of each body and column in a row; empty for a column that is not there. */
   std::array<std::array<std::optional<std::size_t>, kColumns.size()>, kBodies.size()>
       cells_{};
+  std::optional<std::size_t> name_;  ///< The cell of the row's name.
   Cells row_;
   std::size_t normalised_ = 0;
   ContactTable table_;
@@ -373,7 +403,7 @@ ContactTable ReadContactTableFile(const std::filesystem::path& file) {
   if (std::filesystem::is_regular_file(file, error)) in.open(file, std::ios::binary);
   if (!in.is_open()) {
     return {.scenarios = {},
-            .error = Diagnostic{name, 0, 0, "cannot be read", "a CSV file"},
+            .errors = {{name, 0, 0, "cannot be read", "a CSV file"}},
             .note = {}};
   }
   const std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "reports/sweep/report_questions.h"
@@ -21,8 +22,8 @@ struct ReadQuestions {
 
 ReadQuestions QuestionsInTable(const std::string& file) {
   ContactTable table = ReadContactTableFile(file);
-  ReadQuestions read{.scenarios = std::move(table.scenarios)};
-  if (table.error) read.errors.push_back(std::move(*table.error));
+  ReadQuestions read{.scenarios = std::move(table.scenarios),
+                     .errors = std::move(table.errors)};
   if (table.note) read.notes.push_back(std::move(*table.note));
   return read;
 }
@@ -42,7 +43,8 @@ ReadQuestions QuestionsInScenarioFiles(const std::string& file) {
   if (!read.errors.empty()) return read;
   if (read.scenarios.empty()) {
     read.errors.push_back(
-        {file, 0, 0, "has no contact question", "a scenario with [contact]"});
+        {file, 0, 0, "has no contact question",
+         "a scenario with [contact]; of a folder, its tables (*.csv) are not read"});
   } else if (!catalogue.worlds.empty()) {
     read.notes.push_back(
         {file, 0, 0,
@@ -52,12 +54,26 @@ ReadQuestions QuestionsInScenarioFiles(const std::string& file) {
   return read;
 }
 
+/** Returns the questions in a file, whose kind its extension tells. */
+ReadQuestions QuestionsIn(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (extension == ".csv") return QuestionsInTable(file);
+  if (extension == ".jsonl") return QuestionsInReport(file);
+  std::error_code error;
+  if (extension == ".toml" || !std::filesystem::is_regular_file(file, error))
+    return QuestionsInScenarioFiles(file);
+  return {.scenarios = {},
+          .errors = {{file, 0, 0, "is no file of questions by its name",
+                      "a name that ends with .csv, .jsonl or .toml"}}};
+}
+
 }  // namespace
 
 FileOfQuestions ReadFileSeries(const std::string& file) {
-  ReadQuestions read = file.ends_with(".csv")     ? QuestionsInTable(file)
-                       : file.ends_with(".jsonl") ? QuestionsInReport(file)
-                                                  : QuestionsInScenarioFiles(file);
+  ReadQuestions read = QuestionsIn(file);
   FileOfQuestions result{
       .series = {}, .errors = std::move(read.errors), .notes = std::move(read.notes)};
   if (!result.errors.empty()) return result;

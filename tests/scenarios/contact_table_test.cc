@@ -18,8 +18,9 @@ namespace {
 /** Returns the error of a table as it is printed; empty if there is none. */
 std::string ErrorOf(const std::string& text) {
   const ContactTable table = ReadContactTable(text, "poses.csv");
-  EXPECT_EQ(table.error.has_value(), table.scenarios.empty());
-  return table.error ? ToString(*table.error) : "";
+  EXPECT_EQ(table.errors.empty(), !table.scenarios.empty());
+  EXPECT_LE(table.errors.size(), 1U);
+  return table.errors.empty() ? "" : ToString(table.errors.front());
 }
 
 /** Two balls, with `row` as the second line below the names. */
@@ -46,7 +47,7 @@ RC_GTEST_PROP(ContactTable, IsReadBackBitForBit, ()) {
   const std::string text = ContactTableText(scenarios);
   RC_LOG() << text;
   const ContactTable table = ReadContactTable(text, "poses.csv");
-  if (table.error) RC_LOG() << ToString(*table.error);
+  for (const Diagnostic& error : table.errors) RC_LOG() << ToString(error);
   RC_ASSERT(table.scenarios.size() == scenarios.size());
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     RC_ASSERT(SameBits(table.scenarios[i].contact, scenarios[i].contact));
@@ -63,7 +64,7 @@ TEST(ContactTable, HasAQuestionForEachRow) {
       "box,1,2,3,sphere,0.5,0.6,0,0.8,0\r\n"
       "half_space,,,,sphere,.25,1,0,0,0",
       "logs/poses.csv");
-  ASSERT_FALSE(table.error) << ToString(*table.error);
+  ASSERT_TRUE(table.errors.empty()) << ToString(table.errors.front());
   ASSERT_EQ(table.scenarios.size(), 2U);
   const Scenario& first = table.scenarios[0];
   EXPECT_EQ(first.title, "Line 3 of poses.csv");
@@ -103,10 +104,10 @@ TEST(ContactTable, RefusesAHeaderThatIsNotOne) {
             "the columns");
   EXPECT_EQ(ErrorOf("A.shape,A.radius\n"),
             "poses.csv:1:1: there is no column B.shape; expected one");
-  EXPECT_EQ(
-      ErrorOf("A.shape,A.radios,B.shape\n"),
-      "poses.csv:1:9: there is no column \"A.radios\" (did you mean A.radius?); "
-      "expected columns of A and B: shape, sizes, position.x … z, quaternion.w … z");
+  EXPECT_EQ(ErrorOf("A.shape,A.radios,B.shape\n"),
+            "poses.csv:1:9: there is no column \"A.radios\" (did you mean A.radius?); "
+            "expected name, or columns of A and B: shape, sizes, position.x … z, "
+            "quaternion.w … z");
   EXPECT_EQ(ErrorOf("A.shape,B.shape,A.shape\n"),
             "poses.csv:1:17: A.shape is there twice; expected each column once");
   EXPECT_EQ(ErrorOf("A.shape,B.shape,A.position.x,A.position.y\n"),
@@ -133,6 +134,34 @@ TEST(ContactTable, RefusesARowWithItsPlace) {
       ErrorOf(Balls("half_space,,half_space,,0,0,0")),
       "poses.csv:3:13: B.shape is a half_space, and so is the other body's; expected "
       "at most one half_space");
+}
+
+TEST(ContactTable, TellsTheFirstErrorOfEachOfFiveRows) {
+  std::string text = "A.shape,A.radius,B.shape\n";
+  for (int row = 0; row < 7; ++row) {
+    text += "sphere,1,half_space\n";
+    text += "sphere,0,half_place\n";
+  }
+  const ContactTable table = ReadContactTable(text, "poses.csv");
+  EXPECT_TRUE(table.scenarios.empty());
+  ASSERT_EQ(table.errors.size(), 5U);
+  for (int row = 0; row < 5; ++row) {
+    EXPECT_EQ(table.errors[static_cast<std::size_t>(row)].line, 3 + 2 * row);
+    EXPECT_THAT(ToString(table.errors[static_cast<std::size_t>(row)]),
+                testing::HasSubstr("B.shape is \"half_place\""));
+  }
+}
+
+TEST(ContactTable, NamesARowInItsTitle) {
+  const std::string header = "A.shape,A.radius,name,B.shape\n";
+  const ContactTable table = ReadContactTable(
+      header + "sphere,1,left wheel,half_space\nsphere,1,,half_space\n", "poses.csv");
+  ASSERT_EQ(table.scenarios.size(), 2U);
+  EXPECT_EQ(table.scenarios[0].title, "left wheel: Line 2 of poses.csv");
+  EXPECT_EQ(table.scenarios[1].title, "Line 3 of poses.csv");
+  EXPECT_EQ(ErrorOf(header + "sphere,1,tab\there,half_space\n"),
+            "poses.csv:2:10: the name has a character that is not printable ASCII; "
+            "expected no such");
 }
 
 TEST(ContactTable, RefusesNumbersThatAreNotFiniteOrOutOfRange) {
@@ -181,8 +210,8 @@ TEST(ContactTable, CountsColumnsInCodePoints) {
 
 TEST(ContactTableFile, ThatIsNotThereIsAnError) {
   const ContactTable table = ReadContactTableFile("/nowhere/poses.csv");
-  ASSERT_TRUE(table.error);
-  EXPECT_EQ(ToString(*table.error),
+  ASSERT_EQ(table.errors.size(), 1U);
+  EXPECT_EQ(ToString(table.errors.front()),
             "/nowhere/poses.csv: cannot be read; expected a CSV file");
 }
 
