@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -53,20 +54,20 @@ std::string Trimmed(const std::string& text) {
 }
 
 Wanted WantedBy(const FaultSelection& selection) {
-  if (selection.keep.empty()) return {MeasureOf(selection.measure), std::nullopt};
-  const std::size_t sign = std::min(selection.keep.find('>'), selection.keep.size());
-  const std::string name = Trimmed(selection.keep.substr(0, sign));
-  const std::string number =
-      Trimmed(selection.keep.substr(std::min(sign + 1, selection.keep.size())));
+  if (!selection.keep) return {MeasureOf(selection.measure), std::nullopt};
+  const std::string& keep = *selection.keep;
+  const std::size_t sign = std::min(keep.find('>'), keep.size());
+  const std::string name = Trimmed(keep.substr(0, sign));
+  const std::string number = Trimmed(keep.substr(std::min(sign + 1, keep.size())));
   double over = 0;
   const char* const end = number.data() + number.size();
   const auto read = std::from_chars(number.data(), end, over);
   if (name.empty() || read.ec != std::errc() || read.ptr != end || !(over >= 0) ||
       !std::isfinite(over)) {
     throw InputError(fmt::format(
-        "--keep {}: cannot be read; expected a measure and a number that its value stays "
-        "over, e.g. 'separation_error > 0.1'",
-        selection.keep));
+        "--keep '{}': cannot be read; expected a measure and a number that its value "
+        "stays over, e.g. 'separation_error > 0.1'",
+        keep));
   }
   return {MeasureOf(name), over};
 }
@@ -106,45 +107,72 @@ bool IsIndicted(const ChosenFault& fault) {
       fault.question);
 }
 
+/** The faults of some oracles in one question. */
+struct FoundFaults {
+  std::vector<ChosenFault> faults;
+  std::string reason;  ///< Why the last of them has none.
+};
+
+FoundFaults FaultsOf(std::span<const Oracle* const> oracles, const Question& question,
+                     const Wanted& wanted) {
+  FoundFaults found;
+  for (const Oracle* const oracle : oracles) {
+    ChosenFault fault{question, oracle, AskAlone(question, *oracle), {}, wanted.over};
+    if (const Finding* const finding = FaultIn(fault.report, wanted)) {
+      fault.finding = *finding;
+      found.faults.push_back(std::move(fault));
+    } else {
+      found.reason = ReasonOf(fault.report, OutcomesOf(fault.report).front());
+    }
+  }
+  return found;
+}
+
+std::vector<std::string_view> NamesOf(std::span<const ChosenFault> faults) {
+  std::vector<std::string_view> names;
+  names.reserve(faults.size());
+  for (const ChosenFault& fault : faults) names.push_back(fault.oracle->info().name);
+  return names;
+}
+
+/** Throws the error that no oracle of `oracles` has the fault, and says who has it. */
+[[noreturn]] void FailWithoutFault(const Session& session,
+                                   std::span<const Oracle* const> oracles,
+                                   const Question& question, const Wanted& wanted,
+                                   const std::string& reason) {
+  const bool is_one = oracles.size() == 1;
+  std::string expected = "a fault";
+  if (is_one) {
+    const FoundFaults others = FaultsOf(OraclesOf(session, ""), question, wanted);
+    if (!others.faults.empty())
+      expected = fmt::format("one of those who are wrong: {}",
+                             fmt::join(NamesOf(others.faults), ", "));
+  }
+  throw InputError(fmt::format(
+      "{} is proved wrong{} in {}{}; expected {}",
+      is_one ? "no answer of " + oracles.front()->info().name : "no oracle",
+      !wanted.measure ? ""
+      : !wanted.over
+          ? fmt::format(" in {}", NameOf(*wanted.measure))
+          : fmt::format(" in {} by more than {}", NameOf(*wanted.measure), *wanted.over),
+      IdOf(question), is_one && !reason.empty() ? ": " + reason : "", expected));
+}
+
 }  // namespace
 
 ChosenFault ChooseFault(const Session& session, const FaultSelection& selection) {
   const Wanted wanted = WantedBy(selection);
   const std::vector<const Oracle*> oracles = OraclesOf(session, selection.oracle);
   const Question question = OnlyQuestion(selection.scenarios);
-  std::vector<ChosenFault> faults;
-  std::string reason;  // Why the last oracle does not answer.
-  for (const Oracle* const oracle : oracles) {
-    ChosenFault fault{question, oracle, AskAlone(question, *oracle), {}, wanted.over};
-    if (const Finding* const finding = FaultIn(fault.report, wanted)) {
-      fault.finding = *finding;
-      faults.push_back(std::move(fault));
-    } else {
-      reason = ReasonOf(fault.report, OutcomesOf(fault.report).front());
-    }
-  }
+  auto [faults, reason] = FaultsOf(oracles, question, wanted);
+  if (faults.empty()) FailWithoutFault(session, oracles, question, wanted, reason);
   if (faults.size() > 1) {
     std::stable_partition(faults.begin(), faults.end(), IsIndicted);
-    std::vector<std::string_view> names;
-    names.reserve(faults.size());
-    for (const ChosenFault& fault : faults) names.push_back(fault.oracle->info().name);
     if (!IsIndicted(faults[0]) || IsIndicted(faults[1])) {
       throw InputError(
-          fmt::format("{} oracles are wrong in {}; expected --oracle with "
-                      "one of: {}",
-                      faults.size(), IdOf(question), fmt::join(names, ", ")));
+          fmt::format("{} oracles are wrong in {}; expected --oracle with one of: {}",
+                      faults.size(), IdOf(question), fmt::join(NamesOf(faults), ", ")));
     }
-  }
-  if (faults.empty()) {
-    throw InputError(fmt::format(
-        "{} is proved wrong{} in {}{}; expected a fault",
-        oracles.size() == 1 ? "no answer of " + oracles.front()->info().name
-                            : "no oracle",
-        !wanted.measure ? ""
-        : !wanted.over  ? fmt::format(" in {}", NameOf(*wanted.measure))
-                        : fmt::format(" in {} by more than {}", NameOf(*wanted.measure),
-                                      *wanted.over),
-        IdOf(question), oracles.size() == 1 && !reason.empty() ? ": " + reason : ""));
   }
   return std::move(faults.front());
 }

@@ -17,9 +17,9 @@ struct FaultSelection {
   std::string oracle;
   std::string measure;  ///< Name of a measure; empty: any.
   /** "MEASURE > NUMBER", in place of `measure`; empty: none. */
-  std::string keep;
+  std::optional<std::string> keep;
 
-  bool names_a_measure() const { return !measure.empty() || !keep.empty(); }
+  bool names_a_measure() const { return !measure.empty() || keep; }
 };
 
 /** A fault of an oracle in one scenario. */

@@ -767,7 +767,7 @@ TEST_F(CommandLineTest, ShrinksAFaultWhileItStaysOverANumber) {
   const Ended large = Touchstone(shrink + "--keep 'separation_error > 0.06'");
   EXPECT_EQ(large.code, 2);
   EXPECT_THAT(large.err, HasSubstr("in separation_error by more than 0.06"));
-  for (const char* const keep : {"0.1", "separation_error", "separation_error > deep",
+  for (const char* const keep : {"", "0.1", "separation_error", "separation_error > deep",
                                  "> 0.1", "separation_error > -1"}) {
     const Ended refused = Touchstone(shrink + "--keep '" + keep + "'");
     EXPECT_EQ(refused.code, 2);
@@ -775,6 +775,13 @@ TEST_F(CommandLineTest, ShrinksAFaultWhileItStaysOverANumber) {
         << keep;
   }
   EXPECT_THAT(Touchstone(shrink + "--keep 'excess > 0' --measure excess").code, 2);
+}
+
+TEST_F(CommandLineTest, NamesThoseWhoAreWrongWhereTheChosenOracleIsRight) {
+  const Ended ended = Touchstone("shrink " + Path("mine/deep.toml") + " --for right");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("no answer of right is proved wrong in mine/deep"));
+  EXPECT_THAT(ended.err, HasSubstr("; expected one of those who are wrong: half_depth"));
 }
 
 TEST_F(CommandLineTest, FindsTheRootCausesOfARun) {
