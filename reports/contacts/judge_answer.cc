@@ -15,6 +15,7 @@
 #include "reports/contacts/proof.h"
 #include "reports/contacts/tolerance_reasons.h"
 #include "reports/contacts/tolerances.h"
+#include "reports/finding/grade.h"
 #include "reports/measures/consistency_error.h"
 #include "reports/measures/contact_count.h"
 #include "reports/measures/contact_off_patch.h"
@@ -63,7 +64,9 @@ class Judgement {
     if (!Answered()) return std::move(findings_);
     findings_.reserve(kMostFindings);
     if (const auto fault = InvalidityOf(answer_, tolerances_.unit_normal)) {
-      Unanswered(Verdict::kInvalid, *fault);
+      Unanswered(Verdict::kInvalid, fault->what);
+      // A normal that is short by a rounding is of some use.
+      if (fault->off_unit) findings_.back().grade = GradeOfShare(*fault->off_unit);
       return std::move(findings_);
     }
     JudgeTouching();

@@ -245,7 +245,7 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
     return failed(Verdict::kUnsupported, variant_answer.reason);
   }
   if (const auto fault = InvalidityOf(variant_answer, granted.base.unit_normal)) {
-    return failed(Verdict::kInvalid, *fault);
+    return failed(Verdict::kInvalid, fault->what);
   }
   const ContactQuery& query = scenario.contact;
   ContactAnswer back = BroughtBack(variant, variant_answer);

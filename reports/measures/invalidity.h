@@ -7,11 +7,18 @@
 
 namespace touchstone {
 
-/** Returns the reason why an answer is invalid, e.g. "n_AB_W is not finite", or nothing.
- Invalid are NaN and infinities anywhere, a normal whose length differs from 1 by more
- than `unit_slack` [-], and a contact without a normal in an answer that has none of its
- own. An invalid answer is judged no further: a NaN compares false with everything, and
- could pass. */
-std::optional<std::string> InvalidityOf(const ContactAnswer& answer, double unit_slack);
+/** The reason why an answer is invalid. */
+struct Invalidity {
+  std::string what;  ///< E.g. "n_AB_W is not finite".
+  /** How much the length of a finite normal differs from 1; empty for other reasons. [-]
+   */
+  std::optional<double> off_unit = std::nullopt;
+};
+
+/** Returns the reason why an answer is invalid, or nothing. Invalid are NaN and
+ infinities anywhere, a normal whose length differs from 1 by more than `unit_slack` [-],
+ and a contact without a normal in an answer that has none of its own. An invalid answer
+ is judged no further: a NaN compares false with everything, and could pass. */
+std::optional<Invalidity> InvalidityOf(const ContactAnswer& answer, double unit_slack);
 
 }  // namespace touchstone

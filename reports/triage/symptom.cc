@@ -51,7 +51,8 @@ bool IsFault(Verdict verdict) {
 }
 
 Band BandOf(Grade grade, const std::string& ending) {
-  return ending.empty() ? static_cast<Band>(grade) : Band::kWrong;
+  return ending.empty() || grade != Grade::kNone ? static_cast<Band>(grade)
+                                                 : Band::kWrong;
 }
 
 std::string PairName(ShapeKind a, ShapeKind b) {

@@ -18,8 +18,8 @@ namespace touchstone {
  of other oracles is none. */
 bool IsFault(Verdict verdict);
 
-/** Returns the band of a fault by its grade; a missing answer, which has an ending, is a
- wrong one. */
+/** Returns the band of a fault by its grade; an answer that is missing or of no use,
+ which has an ending and no grade, is a wrong one. */
 Band BandOf(Grade grade, const std::string& ending);
 
 /** Returns "box and sphere", whatever the order. */
