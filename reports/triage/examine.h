@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -14,7 +15,8 @@ namespace touchstone {
 
 /** A question that shows symptoms. */
 struct Specimen {
-  std::vector<Symptom> symptoms;  ///< Those it stands for, the gravest first.
+  std::vector<Symptom> symptoms;           ///< Those it stands for, the gravest first.
+  std::vector<std::string> failures = {};  ///< What goes wrong in them, see Joined().
   const Oracle* oracle = nullptr;
   /** The gravest question of the first symptom that shows it again; if none does, the
    gravest. */

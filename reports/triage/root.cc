@@ -19,6 +19,9 @@ namespace {
 
 constexpr const char* kDiffersInAnotherFrame = "answers differently in another frame";
 
+/** The failure of a closed form: one function, whatever goes wrong in it. */
+constexpr const char* kIsWrong = "is wrong";
+
 /** Returns what the oracle does wrong, in the words of a user. Measures that one fault of
  an algorithm shows by turns have the same. */
 std::string FailureOf(const Specimen& specimen) {
@@ -89,6 +92,20 @@ std::string AlgorithmOf(const Specimen& specimen) {
   return specimen.oracle->info().For(KindOf(A.shape), KindOf(B.shape)).family;
 }
 
+/** Adds the words of `more` that are not there yet. */
+void AddFailures(const std::vector<std::string>& more, std::vector<std::string>& to) {
+  for (const std::string& failure : more) {
+    if (std::ranges::find(to, failure) == to.end()) to.push_back(failure);
+  }
+}
+
+/** Returns all that goes wrong in a specimen's symptoms, first what it shows itself. */
+std::vector<std::string> FailuresOf(const Specimen& specimen) {
+  std::vector<std::string> failures = {FailureOf(specimen)};
+  AddFailures(specimen.failures, failures);
+  return failures;
+}
+
 /** Returns the band of the gravest symptom, which is the first. */
 Band BandOf(const Specimen& specimen) {
   const std::map<Band, std::uint64_t>& bands = specimen.symptoms.front().bands;
@@ -102,8 +119,11 @@ void Join(Specimen other, Specimen& joined) {
                           PlainnessOf(other.question) < PlainnessOf(joined.question);
   std::vector<Symptom> symptoms = std::move(joined.symptoms);
   std::ranges::move(other.symptoms, std::back_inserter(symptoms));
+  std::vector<std::string> failures = FailuresOf(joined);
+  AddFailures(FailuresOf(other), failures);
   if (is_plainer) joined = std::move(other);
   joined.symptoms = std::move(symptoms);
+  joined.failures = std::move(failures);
 }
 
 /** Completes a root from its specimens. */
@@ -113,11 +133,14 @@ void Sum(Root& root, std::span<const Asked> asked,
   std::ranges::stable_sort(root.specimens, std::less{}, [](const Specimen& specimen) {
     return PlainnessOf(specimen.question);
   });
+  for (const Specimen& specimen : root.specimens)
+    AddFailures(FailuresOf(specimen), root.failures);
+  const bool only_differs =
+      root.failures.size() == 1 && root.failures.front() == kDiffersInAnotherFrame;
   for (const Specimen& specimen : root.specimens) {
     for (const Symptom& symptom : specimen.symptoms) {
       // The fault is that of a variant: the answers themselves do not have it.
-      const bool is_own = !IsOfAVariant(symptom.key.measure) ||
-                          root.key.failure == kDiffersInAnotherFrame;
+      const bool is_own = !IsOfAVariant(symptom.key.measure) || only_differs;
       for (const auto& [what, failed] : symptom.failed) {
         if (is_own) root.rates[{symptom.key.oracle, what}].failed += failed;
         if (!is_own) root.in_variants += failed;
@@ -136,7 +159,7 @@ void Sum(Root& root, std::span<const Asked> asked,
     });
     if (root.rates.contains({row.oracle, row.what}) ||
         MayShow(root.key, row.pair, (*oracle)->info()))
-      root.rates[{row.oracle, row.what}].asked = row.count;
+      root.rates[{row.oracle, row.what}].asked += row.count;
   }
   for (const auto& [of, rate] : root.rates) root.rate += rate;
   root.band = bands.rbegin()->first;
@@ -163,6 +186,7 @@ RootKey KeyOf(const Specimen& specimen) {
               .place = EndingOf(specimen.finding),
               .shapes = {}};
   if (IsOfItsShapes(specimen, key)) key.shapes = ShapesOf(specimen.question);
+  if (key.algorithm == "closed_form" && key.place.empty()) key.failure = kIsWrong;
   return key;
 }
 
@@ -210,9 +234,10 @@ std::vector<Root> RootsOf(std::vector<Specimen> specimens, std::span<const Asked
 
 std::string TitleOf(const Root& root) {
   const RootKey& key = root.key;
-  std::string title = fmt::format(
-      "{} {}{} {}", key.library, key.version,
-      key.algorithm.empty() ? "" : fmt::format(" ({})", key.algorithm), key.failure);
+  std::string title =
+      fmt::format("{} {}{} {}", key.library, key.version,
+                  key.algorithm.empty() ? "" : fmt::format(" ({})", key.algorithm),
+                  fmt::join(root.failures, ", "));
   for (const std::string* const part : {&key.place, &key.shapes}) {
     if (!part->empty()) title += ": " + *part;
     if (title.ends_with('.')) title.pop_back();

@@ -19,7 +19,7 @@ struct RootKey {
   std::string library;
   std::string version;
   std::string algorithm;  ///< Capability::family; empty for a world.
-  std::string failure;    ///< "states a wrong depth"
+  std::string failure;    ///< "states a wrong depth"; of a closed form "is wrong".
   std::string place;      ///< EndingOf() the finding, of a missing answer.
   /** Those of the smallest question, if its code is likely to be of these shapes alone: a
    closed form, a world, or a signal that names no place. Empty otherwise: an iterative
@@ -37,13 +37,16 @@ bool MayShow(const RootKey& root, const AskedPair& pair, const OracleInfo& oracl
 RootKey KeyOf(const Specimen& specimen);
 
 /** Returns specimens of the same key as one, which then stands for the symptoms of all:
- that of the plainest question in the band of the gravest symptom. Keeps the order, and
- those that are not repeatable. */
+ that of the plainest question in the band of the gravest symptom. Its `failures` are the
+ words of all. Keeps the order, and those that are not repeatable. */
 std::vector<Specimen> Joined(std::vector<Specimen> specimens);
 
 /** Failures with one root cause. */
 struct Root {
   RootKey key;
+  /** What goes wrong, in words: the failure of the key or, of a closed form, all kinds,
+   of which the smallest question shows the first. */
+  std::vector<std::string> failures;
   std::vector<Specimen> specimens;  ///< The one of the plainest question first.
   /** How often it was found, by oracle and Asked::what: in all questions whose answers by
    an oracle that shows it may come from the code that fails. */

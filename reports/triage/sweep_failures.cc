@@ -1,5 +1,6 @@
 #include "reports/triage/sweep_failures.h"
 
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,12 +16,22 @@ std::string SubjectOf(const Series& series) {
   return pair ? PairName(pair->first, pair->second) : OriginOf(series);
 }
 
+/** Returns the path of a file as a stranger may read it: not where a home is. */
+std::string PublicPath(const std::string& file) {
+  const std::filesystem::path path(file);
+  if (!path.is_absolute()) return file;
+  // A path that ends with a slash has no file name.
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
 /** Returns the family or the file, and the pair in its order. */
 std::string AskedOf(const Series& series) {
   const auto pair = PairOf(series);
   if (!pair) return OriginOf(series);
-  return fmt::format("{}{}, {} and {}", IsOfFile(series) ? "the file " : "",
-                     OriginOf(series), NameOf(pair->first), NameOf(pair->second));
+  const std::string origin = IsOfFile(series) ? "the file " + PublicPath(OriginOf(series))
+                             : IsSearch(series) ? "worst cases of " + OriginOf(series)
+                                                : OriginOf(series);
+  return fmt::format("{}, {} and {}", origin, NameOf(pair->first), NameOf(pair->second));
 }
 
 void RequireReadable(const FailedQuestion& failure, const SweepFile& file) {

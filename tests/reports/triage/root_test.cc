@@ -136,6 +136,36 @@ TEST(Roots, OfClosedFormsAreOfTheirShapes) {
   EXPECT_EQ(roots.at(0).rate.asked, 200U);
 }
 
+// One function is mended at once, whatever goes wrong in it.
+TEST(Roots, OfAClosedFormHaveAllThatGoesWrong) {
+  const auto closed = [](FakeOracle oracle) {
+    oracle.ForEachPair([](Capability& capability) { capability.family = "closed_form"; });
+    return oracle;
+  };
+  const FakeOracle deep = closed(Of("deep", "Lib", DoubleTheDepth));
+  const FakeOracle blind =
+      closed(Of("blind", "Lib", [](const ContactQuery&, ContactAnswer& answer) {
+        answer = {};
+        answer.status = AnswerStatus::kAnswered;
+      }));
+  const auto crash = [](const ContactQuery&, ContactAnswer& answer) {
+    answer = CrashedAnswer("aborted: box.h:12: Assertion `a' failed");
+  };
+  const FakeOracle broken = closed(Of("broken", "Lib", crash));
+  const auto specimen = [](const Oracle& oracle) {
+    return AskAgain(SymptomIn(kBoxAndBall, oracle), oracle);
+  };
+  const std::vector<Specimen> joined =
+      Joined({specimen(blind), specimen(deep), specimen(broken)});
+  ASSERT_EQ(joined.size(), 2U);  // An assertion is a place of its own.
+  EXPECT_EQ(joined[0].symptoms.size(), 2U);
+  const std::vector<Root> roots = RootsAmongBoxesAndBalls({joined[0]});
+  EXPECT_THAT(TitleOf(roots.at(0)),
+              HasSubstr("(closed_form) misses a contact, states a wrong depth: box and"));
+  EXPECT_THAT(FolderOf(roots[0]), HasSubstr("closed_form_is_wrong_box_and_sphere"));
+  EXPECT_EQ(roots[0].rate.failed, 10U);
+}
+
 TEST(Roots, LeaveOutWhatIsNotRepeated) {
   Specimen specimen;
   EXPECT_TRUE(RootsAmongBoxesAndBalls({specimen}).empty());
