@@ -55,6 +55,7 @@ RunReport RunSuite(const Session& session, const Questions& questions,
   run.jobs = options.jobs;
   run.today = Today();
   run.partial = options.partial;
+  run.stop = options.stop;
   run.worlds = options.worlds;
   // A program need not have all engines of the built-in ledger.
   if (!options.partial || ledger.file != BuiltInLedgerFile(session)) {

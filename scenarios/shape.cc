@@ -20,9 +20,10 @@ struct Radius {
     return std::hypot(cone.radius, cone.half_height);
   }
   double operator()(const ConvexHull& hull) const {
-    double radius = 0;
-    for (const Eigen::Vector3d& v : hull.vertices) radius = std::max(radius, v.norm());
-    return radius;
+    double square = 0;
+    for (const Eigen::Vector3d& v : hull.vertices)
+      square = std::max(square, v.squaredNorm());
+    return std::sqrt(square);
   }
   double operator()(const HalfSpace&) const { return 0; }
 };

@@ -138,11 +138,11 @@ std::optional<Enclosure> ClosedDistance(const Body& body, const Eigen::Vector3d&
   if (kind == ShapeKind::kConvexHull) return std::nullopt;
   const V y = Exactly<Number>(p_W) - Exactly<Number>(body.X_WB.p_WB);
   const Enclosure distance = DistanceFrom(body, y);
-  const double reach = kind == ShapeKind::kHalfSpace ? 0 : BoundingRadius(body.shape);
-  const double size = (p_W - body.X_WB.p_WB).norm() + reach;
-  const double most = kEpsilon * std::max(size, 16 * std::min(std::abs(distance.lo),
+  const double size = (p_W - body.X_WB.p_WB).norm() + BoundingRadius(body.shape);
+  const double most = kEpsilon * std::max(size, 32 * std::min(std::abs(distance.lo),
                                                               std::abs(distance.hi)));
-  if (!(distance.hi - distance.lo <= most)) return std::nullopt;
+  const double width = distance.hi - distance.lo;
+  if (!std::isfinite(width) || width > most) return std::nullopt;
   return distance;
 }
 

@@ -1,31 +1,13 @@
 #include "reports/referee/core.h"
 
-#include <algorithm>
-#include <limits>
+#include <cmath>
 #include <optional>
 #include <type_traits>
 
+#include "reports/referee/farthest_vertices.h"
+
 namespace touchstone::referee {
 namespace {
-
-/** Calls `visit` with the vertices that may be the farthest along a direction n, as far
- as doubles tell: one of some dozens, unless several are equally far.
- @param n The direction to within `error`, by coordinate. */
-template <typename Visit>
-void ForEachFarthest(Vertices vertices, const Eigen::Vector3d& n,
-                     const Eigen::Vector3d& error, Visit visit) {
-  // A dot product is off by four roundings of each of its terms, and a bound by some
-  // more.
-  constexpr double kRounding = 16 * kRoundoff<double>;
-  const Eigen::Vector3d most = error + kRounding * n.cwiseAbs();
-  double least = -std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& v : vertices)
-    least = std::max(least, n.dot(v) - most.dot(v.cwiseAbs()));
-  for (const Eigen::Vector3d& v : vertices) {
-    // Written so that no NaN leaves out a vertex.
-    if (!(n.dot(v) + most.dot(v.cwiseAbs()) < least)) visit(v);
-  }
-}
 
 struct ToCore {
   const Pose& X_WB;
@@ -151,8 +133,8 @@ struct Radius {
   double operator()(const Box& box) const { return box.half_extents.norm(); }
   double operator()(const Vertices& vertices) const {
     double most = 0;
-    for (const Eigen::Vector3d& v : vertices) most = std::fmax(most, v.norm());
-    return most;
+    for (const Eigen::Vector3d& v : vertices) most = std::fmax(most, v.squaredNorm());
+    return std::sqrt(most);
   }
   double operator()(const Cylinder& c) const {
     return std::hypot(c.radius, c.half_length);

@@ -1,7 +1,10 @@
 #include "reports/referee/support.h"
 
 #include <limits>
+#include <optional>
 #include <variant>
+
+#include "reports/referee/farthest_vertices.h"
 
 namespace touchstone::referee {
 namespace {
@@ -55,34 +58,22 @@ struct Reach {
                Number(cone.radius) * Off() - Number(cone.half_height) * To(2));
   }
   Number operator()(const ConvexHull& hull) const {
-    // Vertices that are certainly not the farthest in double are not worth more digits.
-    const Vector<Bounded<double>> quick = {Column<double>(0), Column<double>(1),
-                                           Column<double>(2)};
-    const Vector<Number> sharp = {To(0), To(1), To(2)};
-    double least = -std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3d& v : hull.vertices) {
-      least = std::max(least, Dot(quick, Exactly<Bounded<double>>(v)).enclosure().lo);
-    }
-    Number reach(-std::numeric_limits<double>::infinity());
-    bool is_first = true;
-    for (const Eigen::Vector3d& v : hull.vertices) {
-      if (Dot(quick, Exactly<Bounded<double>>(v)).enclosure().hi < least) continue;
-      const Number along = Dot(sharp, Exactly<Number>(v));
-      reach = is_first ? along : Max(reach, along);
-      is_first = false;
-    }
-    return reach;
+    const Vector<Number> n = {To(0), To(1), To(2)};
+    std::optional<Number> reach;
+    ForEachFarthest(
+        hull.vertices, {Nearest(n.x.value()), Nearest(n.y.value()), Nearest(n.z.value())},
+        {n.x.error(), n.y.error(), n.z.error()}, [&](const Eigen::Vector3d& v) {
+          const Number along = Dot(n, Exactly<Number>(v));
+          reach = reach ? Max(*reach, along) : along;
+        });
+    return *reach;
   }
   Number operator()(const HalfSpace&) const {
     return Number(std::numeric_limits<double>::infinity());
   }
 
   /** The component of n along the image of the body's axis i. */
-  template <typename In>
-  Bounded<In> Column(int i) const {
-    return Along<In>(n_W, R_WB.col(i));
-  }
-  Number To(int i) const { return Column<Real>(i); }
+  Number To(int i) const { return Along<Real>(n_W, R_WB.col(i)); }
   /** The component of n across the body's z axis, in body coordinates. */
   Number Off() const { return Sqrt(To(0) * To(0) + To(1) * To(1)); }
   Number Length() const { return Sqrt(Along<Real>(n_W, n_W)); }

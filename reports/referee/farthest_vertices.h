@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "reports/referee/precise.h"
+
+namespace touchstone::referee {
+
+/** Calls `visit` with the vertices that may be the farthest along a direction, as far as
+ doubles tell: one of some dozens, unless several are about equally far. More digits for
+ the others would be wasted.
+ @param n The direction, to within `error` in each coordinate. Of any length. */
+template <typename Visit>
+void ForEachFarthest(std::span<const Eigen::Vector3d> vertices, const Eigen::Vector3d& n,
+                     const Eigen::Vector3d& error, Visit visit) {
+  // The dot product is off by four roundings of each term, its bound by some more.
+  constexpr double kRoundings = 16 * kRoundoff<double>;
+  constexpr double kLost = 8 * kUnderflow<double>;
+  const Eigen::Vector3d most = error + kRoundings * n.cwiseAbs();
+  double least = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& v : vertices)
+    least = std::max(least, n.dot(v) - most.dot(v.cwiseAbs()) - kLost);
+  for (const Eigen::Vector3d& v : vertices) {
+    // Written so that no NaN leaves out a vertex.
+    if (!(n.dot(v) + most.dot(v.cwiseAbs()) + kLost < least)) visit(v);
+  }
+}
+
+}  // namespace touchstone::referee
