@@ -17,7 +17,7 @@ std::optional<Invalidity> NotUnit(std::string_view name, const Eigen::Vector3d& 
   // A float has seven digits: nine would hide what is wrong with an undeclared one.
   return Invalidity{
       fmt::format("{} has length {:.17g}, not 1 to within {:.2g}", name, length, slack),
-      off};
+      off < 0.5 ? std::optional(off) : std::nullopt};
 }
 
 }  // namespace

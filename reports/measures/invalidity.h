@@ -10,8 +10,8 @@ namespace touchstone {
 /** The reason why an answer is invalid. */
 struct Invalidity {
   std::string what;  ///< E.g. "n_AB_W is not finite".
-  /** How much the length of a finite normal differs from 1; empty for other reasons. [-]
-   */
+  /** How much the length of a normal differs from 1, if by less than a half: it still is
+   a direction. Empty for other reasons. [-] */
   std::optional<double> off_unit = std::nullopt;
 };
 

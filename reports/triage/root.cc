@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kDiffersInAnotherFrame = "answers differently in another frame";
 
-/** The failure of a closed form: one function, whatever goes wrong in it. */
+/** The failure of an algorithm that IsOneFunction(), whatever goes wrong in it. */
 constexpr const char* kIsWrong = "is wrong";
 
 /** Returns what the oracle does wrong, in the words of a user. Measures that one fault of
@@ -67,9 +67,26 @@ std::string FailureOf(const Specimen& specimen) {
   }
 }
 
+/** Returns whether an algorithm is one function: a closed form of two shapes, or one that
+ the oracle has for no other pair, such as boxes by their separating axes. */
+bool IsOneFunction(const std::string& algorithm, const OracleInfo& oracle) {
+  if (algorithm.empty()) return false;
+  if (algorithm == "closed_form") return true;
+  int pairs = 0;
+  for (int a = 0; a < kShapeKinds; ++a) {
+    for (int b = a; b < kShapeKinds; ++b) {
+      const Capability& capability =
+          oracle.For(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
+      if (capability.supported && capability.family == algorithm) ++pairs;
+    }
+  }
+  return pairs == 1;
+}
+
 /** Returns whether the code that fails is likely to be of the shapes alone. */
 bool IsOfItsShapes(const Specimen& specimen, const RootKey& key) {
-  return key.algorithm == "closed_form" || key.place.starts_with("killed by ") ||
+  return IsOneFunction(key.algorithm, specimen.oracle->info()) ||
+         key.place.starts_with("killed by ") ||
          std::holds_alternative<WorldScenario>(specimen.question);
 }
 
@@ -186,7 +203,8 @@ RootKey KeyOf(const Specimen& specimen) {
               .place = EndingOf(specimen.finding),
               .shapes = {}};
   if (IsOfItsShapes(specimen, key)) key.shapes = ShapesOf(specimen.question);
-  if (key.algorithm == "closed_form" && key.place.empty()) key.failure = kIsWrong;
+  if (key.place.empty() && IsOneFunction(key.algorithm, specimen.oracle->info()))
+    key.failure = kIsWrong;
   return key;
 }
 

@@ -19,11 +19,11 @@ struct RootKey {
   std::string library;
   std::string version;
   std::string algorithm;  ///< Capability::family; empty for a world.
-  std::string failure;    ///< "states a wrong depth"; of a closed form "is wrong".
+  std::string failure;    ///< "states a wrong depth"; of one function "is wrong".
   std::string place;      ///< EndingOf() the finding, of a missing answer.
   /** Those of the smallest question, if its code is likely to be of these shapes alone: a
-   closed form, a world, or a signal that names no place. Empty otherwise: an iterative
-   algorithm calls the same code for all shapes. */
+   closed form, an algorithm of one pair, a world, or a signal that names no place. Empty
+   otherwise: an iterative algorithm calls the same code for all shapes. */
   std::string shapes;
 
   auto operator<=>(const RootKey&) const = default;
@@ -44,7 +44,7 @@ std::vector<Specimen> Joined(std::vector<Specimen> specimens);
 /** Failures with one root cause. */
 struct Root {
   RootKey key;
-  /** What goes wrong, in words: the failure of the key or, of a closed form, all kinds,
+  /** What goes wrong, in words: the failure of the key or, of one function, all kinds,
    of which the smallest question shows the first. */
   std::vector<std::string> failures;
   std::vector<Specimen> specimens;  ///< The one of the plainest question first.

@@ -51,6 +51,7 @@ TEST(Invalidity, SeesANormalThatIsNotUnit) {
   *answer.n_AB_W *= 1 + 1e-14;
   EXPECT_NEAR(InvalidityOf(answer, kUnitSlack).value().off_unit.value(), 1e-14, 1e-15);
   answer.n_AB_W->setZero();
+  EXPECT_FALSE(InvalidityOf(answer, kUnitSlack).value().off_unit);  // No direction.
   EXPECT_EQ(ReasonOf(answer), "n_AB_W has length 0, not 1 to within 1.8e-15");
 }
 

@@ -166,6 +166,23 @@ TEST(Roots, OfAClosedFormHaveAllThatGoesWrong) {
   EXPECT_EQ(roots[0].rate.failed, 10U);
 }
 
+// So is an algorithm that an oracle has for one pair, such as boxes by their axes.
+TEST(Roots, OfAnAlgorithmForOnePairAreOfItsShapes) {
+  FakeOracle oracle = Of("lib/one", "Lib", DoubleTheDepth);
+  const auto of_boxes = [&oracle](ShapeKind a, ShapeKind b, const char* family) {
+    oracle.info()
+        .capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)]
+        .family = family;
+  };
+  of_boxes(ShapeKind::kBox, ShapeKind::kBox, "sat");
+  const Specimen boxes = AskAgain(SymptomIn(kTwoBoxes, oracle), oracle);
+  EXPECT_EQ(KeyOf(boxes).shapes, "box and box");
+  EXPECT_EQ(KeyOf(boxes).failure, "is wrong");
+  of_boxes(ShapeKind::kCone, ShapeKind::kCone, "sat");
+  EXPECT_EQ(KeyOf(boxes).shapes, "");
+  EXPECT_EQ(KeyOf(boxes).failure, "states a wrong depth");
+}
+
 TEST(Roots, LeaveOutWhatIsNotRepeated) {
   Specimen specimen;
   EXPECT_TRUE(RootsAmongBoxesAndBalls({specimen}).empty());
