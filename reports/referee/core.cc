@@ -81,11 +81,11 @@ struct Farthest {
             Towards(n.z, box.half_extents.z())};
   }
   Vector<Real> operator()(const Vertices& vertices) const {
-    const Eigen::Vector3d* farthest = nullptr;
-    Real most(0);
+    const Eigen::Vector3d* farthest = &vertices[0];
+    std::optional<Real> most;
     const auto visit = [&](const Eigen::Vector3d& v) {
       const Real along = Dot(n, Exactly<Real>(v));
-      if (farthest != nullptr && !(along > most)) return;
+      if (most && !(along > *most)) return;
       most = along;
       farthest = &v;
     };
