@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,11 +34,11 @@ Ledger BuiltInLedger(const Session& session, const ScenarioSelection& selection,
 
 /** Options for running scenarios. */
 struct SuiteOptions {
-  int jobs = 0;                          ///< Same as RunOptions::jobs.
-  bool partial = false;                  ///< Same as RunOptions::partial.
-  bool quiet = false;                    ///< No progress bar.
-  std::function<bool()> stop = nullptr;  ///< Same as RunOptions::stop.
-  WorldsOptions worlds = {};             ///< Same as RunOptions::worlds.
+  int jobs = 0;               ///< Same as RunOptions::jobs.
+  bool partial = false;       ///< Same as RunOptions::partial.
+  bool quiet = false;         ///< No progress bar.
+  Stop stop = nullptr;        ///< Same as RunOptions::stop.
+  WorldsOptions worlds = {};  ///< Same as RunOptions::worlds.
 };
 
 /** Runs the questions on the oracles and shows a progress bar. Ledger entries expire

@@ -38,7 +38,7 @@ namespace {
 constexpr std::size_t kBatch = 64;
 
 /** The number of batches of an isolated oracle, which forks once for each, for several
- threads. One thread has nobody to share them with, and takes one. */
+ threads. One thread shares with nobody, but may be stopped between batches. */
 constexpr std::size_t kIsolatedBatches = 8;
 
 /** Some of the questions, put to one oracle at once: every `stride`-th from `first` on
@@ -55,11 +55,12 @@ struct Batch {
  next to each other, and threads then share the time. */
 std::vector<Batch> BatchesOf(std::span<const Oracle* const> oracles,
                              const std::vector<std::size_t>& counts, int jobs) {
-  const std::size_t most = jobs == 1 ? 1 : kIsolatedBatches;
   std::vector<Batch> isolated;
   std::vector<Batch> others;
   for (std::size_t i = 0; i < oracles.size(); ++i) {
     if (oracles[i]->info().isolated) {
+      const std::size_t most =
+          jobs == 1 ? (counts[i] + kBatch - 1) / kBatch : kIsolatedBatches;
       for (std::size_t first = 0; first < std::min(counts[i], most); ++first)
         isolated.push_back({i, first, counts[i], most});
       continue;
@@ -130,7 +131,7 @@ void Round::Ask(std::span<const Oracle* const> oracles, const RunOptions& option
   }
   const std::vector<Batch> batches = BatchesOf(oracles, counts, options.jobs);
   ParallelFor(batches.size(), options.jobs, [&](std::size_t b) {
-    if (options.stop && options.stop()) return;
+    if (IsStopped(options.stop)) return;
     const std::size_t i = batches[b].oracle;
     const std::size_t asked =
         AskSupported(*oracles[i], batches[b], queries[i], answers[i]);
@@ -189,7 +190,7 @@ class Suite {
           &Suite::Explain, &Suite::Collect, &Suite::ExplainTheRest, &Suite::RunTheWorlds,
           &Suite::DoubtFiles}) {
       (this->*stage)();
-      if (IsStopped()) return std::move(report_);
+      if (IsStopped(options_.stop)) return std::move(report_);
     }
     report_.ledger = ledger;
     ApplyLedger(report_, options_.today, options_.partial, options_.is_oracle);
@@ -202,8 +203,6 @@ class Suite {
   }
 
  private:
-  bool IsStopped() const { return options_.stop && options_.stop(); }
-
   void EstablishTruth() {
     if (!options_.truths.empty()) return;
     ForEachScenario([this](ScenarioResult& result, std::vector<Finding>&) {
@@ -467,7 +466,7 @@ class Suite {
   template <typename Work>
   void ForEach(std::size_t count, Work work) {
     ParallelFor(count, options_.jobs, [&](std::size_t i) {
-      if (!IsStopped()) work(i);
+      if (!IsStopped(options_.stop)) work(i);
     });
   }
 

@@ -15,6 +15,7 @@
 #include "reports/finding/ledger.h"
 #include "reports/referee/contact_truth.h"
 #include "reports/run_report.h"
+#include "reports/threads/stop.h"
 #include "reports/worlds/study/run_worlds.h"
 #include "scenarios/scenario.h"
 #include "scenarios/worlds/world_scenario.h"
@@ -56,9 +57,7 @@ struct RunOptions {
   std::optional<std::size_t> examined_per_kind;
   /** The contact findings that carry the reason of their tolerance. */
   Reasons reasons = Reasons::kOfAll;
-  /** Returns whether to stop, and from then on always. The report is then not whole. From
-   any thread; may be empty. */
-  std::function<bool()> stop;
+  Stop stop;  ///< The report is then not whole.
   /** Finds and keeps judged worlds; the rest is not used. */
   WorldsOptions worlds;
   /** Returns whether any build has an oracle of that name, see ApplyLedger(). */

@@ -230,7 +230,8 @@ class Reader {
     if (!name_ || row_[*name_].empty()) return "";
     const std::string_view name = row_[*name_];
     if (std::ranges::any_of(name, [](char c) { return c < ' ' || c > '~'; }))
-      Fail(name, "the name has a character that is not printable ASCII", "no such");
+      Fail(name, "name has a character that is not printable ASCII",
+           "letters, digits, spaces and signs of ASCII");
     return fmt::format("{}: ", name);
   }
 

@@ -16,7 +16,7 @@ struct FaultSelection {
    all. */
   std::string oracle;
   std::string measure;  ///< Name of a measure; empty: any.
-  /** "MEASURE > NUMBER", in place of `measure`; empty: none. */
+  /** "MEASURE > NUMBER", in place of `measure`. */
   std::optional<std::string> keep;
 
   bool names_a_measure() const { return !measure.empty() || keep; }

@@ -85,8 +85,7 @@ void WriteReports(const RunReport& report, const RunFacts& facts,
   out.Write("junit.xml", [&](std::ostream& to) { WriteJUnit(report, to); });
 }
 
-/** The worlds of a run that are kept in its folder while it runs, and the requests to
- stop. */
+/** The worlds of a run that are kept in its folder while it runs. */
 class KeptWorlds {
  public:
   /** Without `resume`, forgets what an earlier run left. */

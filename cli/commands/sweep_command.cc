@@ -80,24 +80,24 @@ std::vector<KindPair> ChosenPairs(const SweepArguments& arguments) {
 }
 
 /** Returns the pairs of --pair, or those that a subject supports, each in one order: the
- other order is a variant of every question. */
+ other order is a variant of every question. Both, if some subject supports one order
+ only. */
 std::vector<KindPair> PairsOf(const SweepArguments& arguments,
                               const std::vector<const Oracle*>& subjects) {
   std::vector<KindPair> pairs = ChosenPairs(arguments);
   if (!pairs.empty()) return pairs;
-  const auto is_supported = [&subjects](const KindPair& pair) {
-    return std::ranges::any_of(subjects, [&pair](const Oracle* subject) {
-      return subject->info().For(pair.first, pair.second).supported;
-    });
-  };
   for (int a = 0; a < kShapeKinds; ++a) {
     for (int b = a; b < kShapeKinds; ++b) {
-      const KindPair pair(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
-      const KindPair swapped(pair.second, pair.first);
-      if (is_supported(pair))
-        pairs.push_back(pair);
-      else if (is_supported(swapped))
-        pairs.push_back(swapped);
+      const auto A = static_cast<ShapeKind>(a);
+      const auto B = static_cast<ShapeKind>(b);
+      std::set<KindPair> orders;
+      for (const Oracle* subject : subjects) {
+        if (subject->info().For(A, B).supported)
+          orders.emplace(A, B);
+        else if (subject->info().For(B, A).supported)
+          orders.emplace(B, A);
+      }
+      pairs.insert(pairs.end(), orders.begin(), orders.end());
     }
   }
   return pairs;
@@ -357,9 +357,10 @@ void ExplainFailures(const Session& session, const SweepArguments& arguments,
   }
 }
 
-/** Returns the exit code of what was swept. */
-int ExitCodeOf(const SweepFile& file, const std::vector<SubjectSummary>& subjects,
+/** Returns the exit code of what was swept, of a part if that is not complete. */
+int ExitCodeOf(const Swept& swept, const std::vector<SubjectSummary>& subjects,
                bool all_subjects) {
+  const SweepFile& file = swept.file;
   const auto any = [&subjects](auto is_so) {
     return std::any_of(subjects.begin(), subjects.end(), is_so);
   };
@@ -369,6 +370,11 @@ int ExitCodeOf(const SweepFile& file, const std::vector<SubjectSummary>& subject
   if (all_subjects && any(is_verified)) return 0;
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     if (is_verified(subjects[i])) continue;
+    if (!swept.complete) {
+      std::cerr << "touchstone: nothing was verified before it stopped; expected more "
+                   "time\n";
+      return 2;
+    }
     const Series& first = file.settings().series.front();
     std::cerr << fmt::format(
         "touchstone: nothing was verified; expected a {} that {} {}\n",
@@ -460,7 +466,7 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) try {
                       : "with --out, the same command would go on from there");
     if (const int signal = Interrupt::signal()) return 128 + signal;
   }
-  return ExitCodeOf(swept.file, subjects, arguments.oracles.subject == "all");
+  return ExitCodeOf(swept, subjects, arguments.oracles.subject == "all");
 } catch (const SweepFileError& error) {
   throw InputError(error.what());
 }

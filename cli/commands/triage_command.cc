@@ -199,7 +199,11 @@ int TriageCommand(const Session& session, const TriageArguments& arguments) try 
       IndexedRoot entry = WriteRoot(out, folder, root, UniqueFolder(root, names),
                                     KnownFaultsLike(root, ledger, catalogue),
                                     run_programs && Interrupt::signal() == 0);
-      entry.is_fresh = arguments.baseline && !before.contains(KeyLine(root.key));
+      const std::vector<std::string> keys = KeyLinesOf(root);
+      entry.is_fresh =
+          arguments.baseline && !std::ranges::all_of(keys, [&](const std::string& key) {
+            return before.contains(key);
+          });
       index.roots.push_back(std::move(entry));
       bar.Show(index.roots.size(), roots.size());
     }

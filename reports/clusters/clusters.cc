@@ -202,8 +202,10 @@ Band BandOf(const Finding& finding, std::span<const LedgerEntry> entries, double
   switch (VerdictBefore(finding, entries)) {
     case Verdict::kCrashed:
     case Verdict::kTimedOut:
-    case Verdict::kInvalid:
       return Band::kWrong;
+    case Verdict::kInvalid:
+      return finding.grade == Grade::kNone ? Band::kWrong
+                                           : static_cast<Band>(finding.grade);
     case Verdict::kFail:
     case Verdict::kKnown:
       break;

@@ -13,7 +13,8 @@
 namespace touchstone {
 
 /** The size of a fault to a user, from the mildest to the gravest. The order is that of
- Grade; an answer that crashed, timed out or is invalid counts as a wrong one. */
+ Grade; an answer that crashed, timed out or is invalid counts as a wrong one, unless a
+ normal off unit length is all. */
 enum class Band {
   kNone,      ///< No fault, or one without a size.
   kRounding,  ///< At most 1e-6 of the size.

@@ -26,4 +26,8 @@ Grade GradeOf(const Finding& finding, const ContactQuery& query,
              : grade;
 }
 
+Grade GradeOf(const Invalidity& invalidity) {
+  return invalidity.off_unit ? GradeOfShare(*invalidity.off_unit) : Grade::kNone;
+}
+
 }  // namespace touchstone

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reports/finding/finding.h"
+#include "reports/measures/invalidity.h"
 #include "reports/referee/contact_truth.h"
 #include "scenarios/contact_query.h"
 
@@ -17,5 +18,9 @@ double ShareOf(const Finding& finding, const ContactQuery& query,
  repeated contact, is kLarge at most. */
 Grade GradeOf(const Finding& finding, const ContactQuery& query,
               const ContactTruth& truth);
+
+/** Returns the grade of an invalid answer: by how much a normal is off unit length, if
+ that is all; else kNone, as no answer is not wrong by any size. */
+Grade GradeOf(const Invalidity& invalidity);
 
 }  // namespace touchstone

@@ -15,7 +15,6 @@
 #include "reports/contacts/proof.h"
 #include "reports/contacts/tolerance_reasons.h"
 #include "reports/contacts/tolerances.h"
-#include "reports/finding/grade.h"
 #include "reports/measures/consistency_error.h"
 #include "reports/measures/contact_count.h"
 #include "reports/measures/contact_off_patch.h"
@@ -65,8 +64,7 @@ class Judgement {
     findings_.reserve(kMostFindings);
     if (const auto fault = InvalidityOf(answer_, tolerances_.unit_normal)) {
       Unanswered(Verdict::kInvalid, fault->what);
-      // A normal that is short by a rounding is of some use.
-      if (fault->off_unit) findings_.back().grade = GradeOfShare(*fault->off_unit);
+      findings_.back().grade = GradeOf(*fault);
       return std::move(findings_);
     }
     JudgeTouching();

@@ -245,6 +245,7 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
     return failed(Verdict::kUnsupported, variant_answer.reason);
   }
   if (const auto fault = InvalidityOf(variant_answer, granted.base.unit_normal)) {
+    finding.grade = GradeOf(*fault);
     return failed(Verdict::kInvalid, fault->what);
   }
   const ContactQuery& query = scenario.contact;

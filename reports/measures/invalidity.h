@@ -15,7 +15,7 @@ struct Invalidity {
   std::optional<double> off_unit = std::nullopt;
 };
 
-/** Returns the reason why an answer is invalid, or nothing. Invalid are NaN and
+/** Returns the gravest reason why an answer is invalid, or nothing. Invalid are NaN and
  infinities anywhere, a normal whose length differs from 1 by more than `unit_slack` [-],
  and a contact without a normal in an answer that has none of its own. An invalid answer
  is judged no further: a NaN compares false with everything, and could pass. */

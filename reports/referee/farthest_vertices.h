@@ -10,17 +10,18 @@
 
 namespace touchstone::referee {
 
-/** Calls `visit` with the vertices that may be the farthest along a direction, as far as
- doubles tell: one of some dozens, unless several are about equally far. More digits for
- the others would be wasted.
- @param n The direction, to within `error` in each coordinate. Of any length. */
+/** Calls `visit` with each vertex that may be the farthest along n. Doubles leave out the
+ others, usually all but one, so that only a few need more digits.
+ @param n Direction of any length.
+ @param error How much each coordinate of n may be off. */
 template <typename Visit>
 void ForEachFarthest(std::span<const Eigen::Vector3d> vertices, const Eigen::Vector3d& n,
                      const Eigen::Vector3d& error, Visit visit) {
-  // The dot product is off by four roundings of each term, its bound by some more.
+  // The dot product is off by four roundings of each term, its bound by some more. What
+  // underflows has no relative rounding.
   constexpr double kRoundings = 16 * kRoundoff<double>;
   constexpr double kLost = 8 * kUnderflow<double>;
-  const Eigen::Vector3d most = error + kRoundings * n.cwiseAbs();
+  const Eigen::Vector3d most = (error + kRoundings * n.cwiseAbs()).array() + kLost;
   double least = -std::numeric_limits<double>::infinity();
   for (const Eigen::Vector3d& v : vertices)
     least = std::max(least, n.dot(v) - most.dot(v.cwiseAbs()) - kLost);

@@ -12,7 +12,8 @@ namespace touchstone::referee {
  capsule is not transformed. Infinite for a half-space. [|n_W| m]
 
  Certificates are evaluated by this function. It shares no formula with the searches,
- which know of cores and differences only: a fault there cannot confirm itself. */
+ which know of cores and differences only: a fault there cannot confirm itself. Only the
+ filter of vertices in doubles is that of both. */
 template <typename Real>
 Bounded<Real> SupportOf(const Body& body, const Eigen::Vector3d& n_W);
 

@@ -14,8 +14,8 @@ struct Reproduction {
   std::string program;  ///< reproduce.cc, against the engine's own API alone.
   std::string build;    ///< CMakeLists.txt
   std::string title;    ///< The fault in a line, without a stop.
-  /** What was asked, the answer with its proof, and how to build and run the program: the
-   sections of a text for the upstream tracker between its title and its output. */
+  /** The sections of REPORT.md after the title: the question, the answer with its proof,
+   and how to build and run the program. */
   std::string report;
 };
 

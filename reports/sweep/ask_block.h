@@ -1,16 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 
 #include "reports/sweep/sweep_plan.h"
 #include "reports/sweep/tally.h"
+#include "reports/threads/stop.h"
 
 namespace touchstone {
-
-/** Returns whether to stop, and from then on always; may be empty. Thread safe. */
-using Stop = std::function<bool()>;
 
 /** Asks the subjects of `plan` the questions of one block and judges their answers, each
  subject by itself, without a ledger. A pure function of its arguments; thread safe. Empty

@@ -41,7 +41,7 @@ std::optional<OracleTally> Ask(const SweepPlan& plan, const Oracle* subject,
   options.stop = stop;
   const std::vector<const Oracle*> oracles = SubjectAndReferences(plan, subject);
   const RunReport report = Run(asked.questions.scenarios, oracles, {}, options);
-  if (stop && stop()) return std::nullopt;
+  if (IsStopped(stop)) return std::nullopt;
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   OracleTally tally;
   for (std::size_t i = 0; i < asked.questions.scenarios.size(); ++i) {

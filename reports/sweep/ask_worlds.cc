@@ -35,7 +35,7 @@ std::optional<SeriesTally> AskWorlds(const SweepPlan& plan, const WorldSeries& b
   SeriesTally tally;
   for (const Oracle* subject : plan.subjects) {
     const RunReport report = ReportOf(scenarios, *subject);
-    if (stop && stop()) return std::nullopt;
+    if (IsStopped(stop)) return std::nullopt;
     const std::vector<Outcome> outcomes = OutcomesOf(report);
     OracleTally& of_subject = tally.oracles.emplace_back();
     for (std::uint64_t i = 0; i < block.count; ++i) {

@@ -28,10 +28,10 @@ TrueQuestion QuestionAt(const AnySeries& series, std::uint64_t index) {
 }
 
 template <typename AnySeries>
-TrueQuestions AllQuestionsOf(const AnySeries& block, const std::function<bool()>& stop) {
+TrueQuestions AllQuestionsOf(const AnySeries& block, const Stop& stop) {
   TrueQuestions questions;
   for (std::uint64_t i = block.first; i < block.first + block.count; ++i) {
-    if (stop && stop()) return questions;
+    if (IsStopped(stop)) return questions;
     TrueQuestion question = QuestionAt(block, i);
     questions.scenarios.push_back(std::move(question.scenario));
     questions.truths.push_back(question.truth);
@@ -86,23 +86,22 @@ ContactQuery Mutated(const ContactQuery& query, Random& random) {
 
 }  // namespace
 
-TrueQuestions QuestionsOf(const QuestionSeries& block,
-                          const std::function<bool()>& stop) {
+TrueQuestions QuestionsOf(const QuestionSeries& block, const Stop& stop) {
   return AllQuestionsOf(block, stop);
 }
 
-TrueQuestions QuestionsOf(const FileSeries& block, const std::function<bool()>& stop) {
+TrueQuestions QuestionsOf(const FileSeries& block, const Stop& stop) {
   return AllQuestionsOf(block, stop);
 }
 
 TrueQuestions ClimbOf(const QuestionSeries& block, const Oracle& subject,
-                      const std::function<bool()>& stop) {
+                      const Stop& stop) {
   TrueQuestions questions;
   TrueQuestion worst;
   double error = 0;
   const std::uint64_t start = block.first - block.first % block.climb;
   for (std::uint64_t i = start; i < block.first + block.count; ++i) {
-    if (stop && stop()) return questions;
+    if (IsStopped(stop)) return questions;
     TrueQuestion question = QuestionAt(block, i);
     const bool is_start = i % block.climb == 0;
     if (!is_start) {

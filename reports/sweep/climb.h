@@ -1,12 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "oracles/oracle.h"
 #include "reports/referee/contact_truth.h"
 #include "reports/sweep/file_series.h"
 #include "reports/sweep/question_series.h"
+#include "reports/threads/stop.h"
 #include "scenarios/scenario.h"
 
 namespace touchstone {
@@ -17,14 +17,13 @@ struct TrueQuestions {
   std::vector<ContactTruth> truths;
 };
 
-/** Returns the questions of `block`, without an oracle's help; fewer once `stop` returns
- true, as both others do. @pre block.climb == 1. */
-TrueQuestions QuestionsOf(const QuestionSeries& block,
-                          const std::function<bool()>& stop = nullptr);
+// Each of these returns fewer questions once it is told to stop.
+
+/** Returns the questions of `block`, without an oracle's help. @pre block.climb == 1. */
+TrueQuestions QuestionsOf(const QuestionSeries& block, const Stop& stop = nullptr);
 
 /** Returns the questions of `block`. @pre block.questions. */
-TrueQuestions QuestionsOf(const FileSeries& block,
-                          const std::function<bool()>& stop = nullptr);
+TrueQuestions QuestionsOf(const FileSeries& block, const Stop& stop = nullptr);
 
 /** Returns the questions of `block` that a worst-case search puts to `subject`.
 
@@ -39,6 +38,6 @@ TrueQuestions QuestionsOf(const FileSeries& block,
  the middle of a climb, the climb is computed from its start.
  @pre block.climb > 1. */
 TrueQuestions ClimbOf(const QuestionSeries& block, const Oracle& subject,
-                      const std::function<bool()>& stop = nullptr);
+                      const Stop& stop = nullptr);
 
 }  // namespace touchstone

@@ -66,8 +66,8 @@ ReadQuestions QuestionsIn(const std::string& file) {
   if (extension == ".toml" || !std::filesystem::is_regular_file(file, error))
     return QuestionsInScenarioFiles(file);
   return {.scenarios = {},
-          .errors = {{file, 0, 0, "is no file of questions by its name",
-                      "a name that ends with .csv, .jsonl or .toml"}}};
+          .errors = {{file, 0, 0, "has an unknown extension",
+                      ".csv, .jsonl or .toml, or a folder of scenario files"}}};
 }
 
 }  // namespace

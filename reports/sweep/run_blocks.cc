@@ -18,7 +18,7 @@ void RunBlocks(
   std::atomic<bool> failed = false;
   ParallelFor(options.shard.SizeOf(BlockCount(plan)), options.jobs, [&](std::size_t i) {
     const std::uint64_t block = options.shard.index + i * options.shard.count;
-    if (failed || (options.stop && options.stop())) return;
+    if (failed || IsStopped(options.stop)) return;
     if (options.is_done && options.is_done(block)) return;
     const std::optional<SeriesTally> result =
         AskBlock(plan, BlockOf(plan, block), options.stop);

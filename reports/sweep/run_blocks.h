@@ -5,6 +5,7 @@
 
 #include "reports/sweep/sweep_plan.h"
 #include "reports/sweep/tally.h"
+#include "reports/threads/stop.h"
 
 namespace touchstone {
 
@@ -26,9 +27,7 @@ struct BlockOptions {
   Shard shard = {};
   /** Returns whether the result of a block is known already; may be empty. */
   std::function<bool(std::uint64_t block)> is_done = nullptr;
-  /** Returns whether to stop, and from then on always; blocks in progress are dropped.
-   May be empty. */
-  std::function<bool()> stop = nullptr;
+  Stop stop = nullptr;  ///< Blocks in progress are then dropped.
 };
 
 /** Computes the blocks of a shard in several threads, and passes each result to `take`,

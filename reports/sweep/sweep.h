@@ -14,7 +14,7 @@ struct SweepOptions {
   /** Number of threads; 0: one per core. The result does not depend on it. */
   int jobs = 0;
   Shard shard = {};
-  std::function<bool()> stop = nullptr;  ///< Same as BlockOptions::stop.
+  Stop stop = nullptr;  ///< Same as BlockOptions::stop.
   /** Results are committed when this time has passed since the last commit, and fifty
    times as long as that took. A process that is killed loses no more. */
   std::chrono::milliseconds commit_after{1000};

@@ -75,9 +75,12 @@ bool IsOneFunction(const std::string& algorithm, const OracleInfo& oracle) {
   int pairs = 0;
   for (int a = 0; a < kShapeKinds; ++a) {
     for (int b = a; b < kShapeKinds; ++b) {
-      const Capability& capability =
-          oracle.For(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
-      if (capability.supported && capability.family == algorithm) ++pairs;
+      const auto A = static_cast<ShapeKind>(a);
+      const auto B = static_cast<ShapeKind>(b);
+      const auto has = [&](const Capability& capability) {
+        return capability.supported && capability.family == algorithm;
+      };
+      if (has(oracle.For(A, B)) || has(oracle.For(B, A))) ++pairs;
     }
   }
   return pairs == 1;
@@ -150,8 +153,12 @@ void Sum(Root& root, std::span<const Asked> asked,
   std::ranges::stable_sort(root.specimens, std::less{}, [](const Specimen& specimen) {
     return PlainnessOf(specimen.question);
   });
-  for (const Specimen& specimen : root.specimens)
-    AddFailures(FailuresOf(specimen), root.failures);
+  if (root.key.failure == kIsWrong) {
+    for (const Specimen& specimen : root.specimens)
+      AddFailures(FailuresOf(specimen), root.failures);
+  } else {
+    root.failures = {root.key.failure};
+  }
   const bool only_differs =
       root.failures.size() == 1 && root.failures.front() == kDiffersInAnotherFrame;
   for (const Specimen& specimen : root.specimens) {

@@ -44,8 +44,8 @@ std::vector<Specimen> Joined(std::vector<Specimen> specimens);
 /** Failures with one root cause. */
 struct Root {
   RootKey key;
-  /** What goes wrong, in words: the failure of the key or, of one function, all kinds,
-   of which the smallest question shows the first. */
+  /** What goes wrong, in words. If the algorithm is one function, all failures that were
+   found in it, first the one that the smallest question shows; else that of the key. */
   std::vector<std::string> failures;
   std::vector<Specimen> specimens;  ///< The one of the plainest question first.
   /** How often it was found, by oracle and Asked::what: in all questions whose answers by

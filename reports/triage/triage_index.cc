@@ -158,17 +158,25 @@ std::string IndexPage(const TriageIndex& index) {
       UnrepeatablePart(index));
 }
 
-std::string KeyLine(const RootKey& key) {
-  std::string line = fmt::format("{} | {} | {} | {} | {}", key.library, key.algorithm,
-                                 key.failure, key.place, key.shapes);
-  std::ranges::replace(line, '\n', ' ');
-  return line;
+std::vector<std::string> KeyLinesOf(const Root& root) {
+  std::vector<std::string> lines;
+  lines.reserve(root.failures.size());
+  const RootKey& key = root.key;
+  for (const std::string& failure : root.failures) {
+    std::string line = fmt::format("{} | {} | {} | {} | {}", key.library, key.algorithm,
+                                   failure, key.place, key.shapes);
+    std::ranges::replace(line, '\n', ' ');
+    lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 std::string KeysFile(const std::vector<Root>& roots) {
   std::vector<std::string> lines;
   lines.reserve(roots.size());
-  for (const Root& root : roots) lines.push_back(KeyLine(root.key) + "\n");
+  for (const Root& root : roots) {
+    for (const std::string& line : KeyLinesOf(root)) lines.push_back(line + "\n");
+  }
   std::ranges::sort(lines);
   return fmt::format("{}", fmt::join(lines, ""));
 }

@@ -42,8 +42,9 @@ std::string SummaryOf(const TriageIndex& index);
 /** Returns roots.txt: the keys of the roots, one a line, for a later triage. */
 std::string KeysFile(const std::vector<Root>& roots);
 
-/** Returns the line of a root in roots.txt, without its end. It has no version: a fault
- that an update of the library leaves as it was is not new. */
-std::string KeyLine(const RootKey& key);
+/** Returns the lines of a root in roots.txt, without their ends: one for each of its
+ failures, so that what goes wrong anew in a function that was wrong before is new. They
+ have no version: a fault that an update of the library leaves as it was is not new. */
+std::vector<std::string> KeyLinesOf(const Root& root);
 
 }  // namespace touchstone

@@ -645,6 +645,16 @@ TEST_F(CommandLineTest, SweepsWithTheSameQuestionsForTheSameSeed) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 150U) << line;
 }
 
+TEST_F(CommandLineTest, SweepsOverEachPairOfShapesInOneOrder) {
+  const Ended ended =
+      Itself("sweep contact --subject cookbook --family random --count 2 --quiet");
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, testing::ContainsRegex("random +sphere sphere +2"));
+  EXPECT_THAT(ended.out, testing::ContainsRegex("random +sphere box +2"));
+  EXPECT_THAT(ended.out, testing::ContainsRegex("random +box box +2"));
+  EXPECT_THAT(ended.out, testing::Not(HasSubstr("box sphere")));
+}
+
 TEST_F(CommandLineTest, WritesFailedQuestionsAsScenariosThatCanBeRun) {
   const Ended ended = Touchstone(
       "sweep contact --subject half_depth --family random --pair sphere sphere --count "

@@ -160,8 +160,8 @@ TEST(ContactTable, NamesARowInItsTitle) {
   EXPECT_EQ(table.scenarios[0].title, "left wheel: Line 2 of poses.csv");
   EXPECT_EQ(table.scenarios[1].title, "Line 3 of poses.csv");
   EXPECT_EQ(ErrorOf(header + "sphere,1,tab\there,half_space\n"),
-            "poses.csv:2:10: the name has a character that is not printable ASCII; "
-            "expected no such");
+            "poses.csv:2:10: name has a character that is not printable ASCII; expected "
+            "letters, digits, spaces and signs of ASCII");
 }
 
 TEST(ContactTable, RefusesNumbersThatAreNotFiniteOrOutOfRange) {

@@ -74,7 +74,7 @@ Examination Examined(const WorldScenario& scenario, const Oracle& oracle,
   SortByMeasure(examined.findings);
   examined.seconds.all = all.seconds();
   // The signal that stops this program may have killed the engine's process, too.
-  const bool is_stopped = options.stop && options.stop();
+  const bool is_stopped = IsStopped(options.stop);
   if (options.keep && !is_stopped) options.keep(scenario, oracle.info(), examined);
   return examined;
 }
@@ -110,7 +110,7 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
   ParallelFor(pairs.size(), options.jobs, [&](std::size_t turn) {
     const std::size_t i = order[turn];
     const auto [w, o] = pairs[i];
-    if (options.stop && options.stop()) return;
+    if (IsStopped(options.stop)) return;
     Examination examined = Examined(worlds[w], *oracles[o], options);
     places[i] = motions.Keep(examined.trajectory);
     report.worlds[w].drifts[o] = examined.drifts;

@@ -8,6 +8,7 @@
 
 #include "oracles/oracle.h"
 #include "reports/finding/finding.h"
+#include "reports/threads/stop.h"
 #include "reports/worlds/study/examine_world.h"
 #include "reports/worlds/study/world_result.h"
 #include "scenarios/worlds/world_scenario.h"
@@ -26,8 +27,7 @@ struct WorldsOptions {
   /** Keeps the result of a pair. */
   std::function<void(const WorldScenario&, const OracleInfo&, const Examination&)> keep =
       {};
-  /** Returns whether no further pair is begun. The report then lacks the others. */
-  std::function<bool()> stop = {};
+  Stop stop = {};  ///< No further pair is then begun, and the report lacks the others.
 };
 
 /** The results of RunWorlds(). */

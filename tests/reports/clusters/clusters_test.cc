@@ -240,7 +240,11 @@ TEST(BandOf, CountsAnAnswerThatIsNoneAsWrong) {
   Finding finding = Fault("a", "ode", 1e-9);
   EXPECT_EQ(BandOf(finding, {}, 1e-9), Band::kRounding);
   finding.verdict = Verdict::kInvalid;
+  // A normal that is off unit length by a rounding.
+  EXPECT_EQ(BandOf(finding, {}, NAN), Band::kRounding);
+  finding.grade = Grade::kNone;
   EXPECT_EQ(BandOf(finding, {}, NAN), Band::kWrong);
+  finding.grade = Grade::kRounding;
   finding.verdict = Verdict::kPass;
   EXPECT_EQ(BandOf(finding, {}, 1e-9), Band::kNone);
   finding.verdict = Verdict::kDisagree;

@@ -55,6 +55,24 @@ TEST(Invalidity, SeesANormalThatIsNotUnit) {
   EXPECT_EQ(ReasonOf(answer), "n_AB_W has length 0, not 1 to within 1.8e-15");
 }
 
+// A normal that is short by a rounding must not make a NaN look harmless.
+TEST(Invalidity, IsTheGravestOfSeveral) {
+  ContactAnswer answer = Touching();
+  *answer.n_AB_W *= 1 + 1e-14;
+  answer.points[1].separation = std::nan("");
+  EXPECT_EQ(ReasonOf(answer), "points[1].separation is not finite");
+  answer = Touching();
+  *answer.n_AB_W *= 1 + 1e-14;
+  answer.points[0].n_AB_W = 1.01 * *answer.n_AB_W;
+  EXPECT_NEAR(InvalidityOf(answer, kUnitSlack).value().off_unit.value(), 0.01, 1e-10);
+  answer.points[1].n_AB_W = Eigen::Vector3d::Zero();
+  EXPECT_FALSE(InvalidityOf(answer, kUnitSlack).value().off_unit);
+  answer = SphereInBoxFace(-2e-3).right;
+  if (answer.n_AB_W) *answer.n_AB_W *= 1 + 1e-14;
+  answer.witnesses->p_WCb.x() = INFINITY;
+  EXPECT_EQ(ReasonOf(answer), "a witness point is not finite");
+}
+
 TEST(Invalidity, SeesAContactWithoutANormal) {
   ContactAnswer answer = Touching();
   answer.n_AB_W.reset();

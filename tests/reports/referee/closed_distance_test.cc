@@ -113,6 +113,23 @@ TEST(ClosedDistance, AgreesWithTheSearchUnderAMatrixThatIsNoRotation) {
   EXPECT_GT(closed, 1500);
 }
 
+// A matrix s·1 makes a body s times as large, and the distance of a point below it 3 − s.
+// In the body's own frame it is 3/s − 1, which differs by more than a rounding.
+TEST(ClosedDistance, EnclosesTheExactDistanceUnderAMatrixThatScales) {
+  for (const double roundings : {-2.0, -1.0, 1.0, 2.0}) {
+    const double s = 1 + roundings * kEpsilon;
+    const Pose X_WB =
+        Pose::FromMatrix(Eigen::Vector3d::Zero(), s * Eigen::Matrix3d::Identity());
+    for (const Shape& shape :
+         std::vector<Shape>{Box{{1, 1, 1}}, Cylinder{1, 1}, Cone{1, 1}}) {
+      const auto distance = ClosedDistance({shape, X_WB}, {0, 0, -3});
+      ASSERT_TRUE(distance) << NameOf(KindOf(shape)) << ' ' << roundings;
+      EXPECT_LE(distance->lo, 3 - s) << NameOf(KindOf(shape)) << ' ' << roundings;
+      EXPECT_GE(distance->hi, 3 - s) << NameOf(KindOf(shape)) << ' ' << roundings;
+    }
+  }
+}
+
 TEST(ClosedDistance, LeavesWhatDoublesCannotHoldToTheSearch) {
   const Box vast{{1e300, 1e300, 1e300}};
   const Box tiny{{1e-300, 1e-300, 1e-300}};

@@ -2,6 +2,7 @@
 
 #include "reports/referee/farthest_vertices.h"
 
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -64,6 +65,13 @@ TEST(ForEachFarthest, NeverLeavesOutTheFarthestVertex) {
     }
   }
   EXPECT_GT(visited, 4000U * 5);
+}
+
+// Precise has directions that doubles round to nothing.
+TEST(ForEachFarthest, VisitsAllWhereTheDirectionUnderflows) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  const std::vector<Eigen::Vector3d> vertices = {{0, 1e100, 0}, {0, 0, 1.2e100}};
+  EXPECT_EQ(VisitedOf(vertices, {0, least, least}, {0, 0, 0}).size(), 2U);
 }
 
 TEST(ForEachFarthest, VisitsAllWhereNumbersOverflow) {

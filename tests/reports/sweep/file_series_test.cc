@@ -131,6 +131,21 @@ TEST_F(FileSeriesTest, ReadsScenarioFilesAndLeavesWorldsOut) {
   EXPECT_EQ(ReadFileSeries(Path("none.csv")).errors.size(), 1U);
 }
 
+TEST_F(FileSeriesTest, KnowsAFileByItsExtensionInAnyCase) {
+  const std::string table = "A.shape,A.radius,B.shape\nsphere,1,half_space\n";
+  std::ofstream(Path("POSES.CSV")) << table;
+  std::ofstream(Path("poses.txt")) << table;
+  const FileOfQuestions upper = ReadFileSeries(Path("POSES.CSV"));
+  ASSERT_EQ(upper.series.size(), 1U);
+  EXPECT_EQ(upper.series[0].count, 1U);
+  const FileOfQuestions unknown = ReadFileSeries(Path("poses.txt"));
+  ASSERT_EQ(unknown.errors.size(), 1U);
+  EXPECT_EQ(ToString(unknown.errors[0]),
+            Path("poses.txt") +
+                ": has an unknown extension; expected .csv, .jsonl or "
+                ".toml, or a folder of scenario files");
+}
+
 TEST(DigestOf, IdentifiesWhatIsAskedWhateverItsName) {
   std::vector<Scenario> questions = {ScenarioAt(QuestionSeries{}, 0),
                                      ScenarioAt(QuestionSeries{}, 1)};

@@ -162,17 +162,17 @@ TEST_F(SweepFileTest, GoesOnAfterBeingStopped) {
   EXPECT_TRUE(Swept("half", {.jobs = 2}) == whole);
 }
 
-// Whoever presses Ctrl-C does not wait for a block of the slowest engine.
+// Ctrl-C must not wait until the block in progress is done.
 TEST_F(SweepFileTest, DropsTheBlockInWhichItIsStopped) {
   const std::string whole = Swept("whole", {});
-  // A question costs the question of whether to stop some times: when it is generated,
-  // asked and judged. So each number of calls ends in another part of a block.
+  // `stop` is called when a question is generated, asked and judged. So each limit on the
+  // calls ends in another part of the first block.
   const auto blocks_after = [&](int most) {
     SweepFile file =
         SweepFile::Create(":memory:", SettingsOf(plan_), SweepJournal::kNone);
     int calls = 0;
     EXPECT_FALSE(Sweep(plan_, file, {.jobs = 1, .stop = [&] { return ++calls > most; }}));
-    // At once: each of the loops that it is in asks, and no other.
+    // Only the loops in progress still call it.
     EXPECT_LT(calls, most + 8 * static_cast<int>(kContactBlock));
     return file.blocks().size();
   };

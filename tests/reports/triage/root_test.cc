@@ -107,7 +107,7 @@ TEST(Roots, OfTwoVersionsOfALibraryAreTwo) {
       {SpecimenOf(kBoxAndBall, old), SpecimenOf(kBoxAndBall, recent)});
   ASSERT_EQ(roots.size(), 2U);
   EXPECT_NE(TitleOf(roots[0]), TitleOf(roots[1]));
-  EXPECT_EQ(KeyLine(roots[0].key), KeyLine(roots[1].key));
+  EXPECT_EQ(KeyLinesOf(roots[0]), KeyLinesOf(roots[1]));
 }
 
 TEST(RootFiles, SayThatTheSearchForASmallerQuestionEndedEarly) {
@@ -164,6 +164,11 @@ TEST(Roots, OfAClosedFormHaveAllThatGoesWrong) {
               HasSubstr("(closed_form) misses a contact, states a wrong depth: box and"));
   EXPECT_THAT(FolderOf(roots[0]), HasSubstr("closed_form_is_wrong_box_and_sphere"));
   EXPECT_EQ(roots[0].rate.failed, 10U);
+  // What goes wrong anew in a function that was wrong before is new.
+  EXPECT_THAT(
+      KeyLinesOf(roots[0]),
+      ElementsAre("Lib | closed_form | misses a contact |  | box and sphere",
+                  "Lib | closed_form | states a wrong depth |  | box and sphere"));
 }
 
 // So is an algorithm that an oracle has for one pair, such as boxes by their axes.

@@ -1,5 +1,6 @@
 #include "reports/triage/sweep_failures.h"
 
+#include <memory>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,15 @@
 
 namespace touchstone {
 namespace {
+
+/** Returns the failures of a sweep. */
+Failures FailuresOf(const SweepPlan& plan) {
+  SweepFile file = SweepFile::Create(":memory:", SettingsOf(plan), SweepJournal::kNone);
+  Sweep(plan, file, {});
+  std::set<std::string> names;
+  for (const Oracle* const oracle : plan.subjects) names.insert(oracle->info().name);
+  return FailuresOf(file, names);
+}
 
 /** Returns the failures of a sweep over spheres and boxes in both orders. */
 Failures FailuresOfASweep(const std::vector<const Oracle*>& subjects) {
@@ -22,11 +32,7 @@ Failures FailuresOfASweep(const std::vector<const Oracle*>& subjects) {
           QuestionSeries{.family = family, .A = A, .B = B, .count = 40});
     }
   }
-  SweepFile file = SweepFile::Create(":memory:", SettingsOf(plan), SweepJournal::kNone);
-  Sweep(plan, file, {});
-  std::set<std::string> names;
-  for (const Oracle* const oracle : subjects) names.insert(oracle->info().name);
-  return FailuresOf(file, names);
+  return FailuresOf(plan);
 }
 
 TEST(Symptoms, JoinFamiliesAndBothOrdersOfAPair) {
@@ -89,6 +95,28 @@ TEST(Symptoms, TellAMissedContactFromAFalseOne) {
   }
   EXPECT_EQ(missed, 1);
   EXPECT_EQ(invented, 1);
+}
+
+// A report goes to strangers. A rate of questions that depend on the answers says
+// nothing.
+TEST(Asked, IsAFileWithoutItsFoldersOrASearchThatSaysSo) {
+  const FakeOracle right("right");
+  SweepPlan plan;
+  plan.subjects = {&right};
+  const auto questions =
+      std::make_shared<const std::vector<Scenario>>(1, ScenarioAt(QuestionSeries{}, 0));
+  for (const char* const file :
+       {"/home/me/poses.csv", "/home/me/scenes/", "mine/a.toml"}) {
+    plan.series.emplace_back(
+        FileSeries{.file = file, .digest = "0", .count = 1, .questions = questions});
+  }
+  plan.series.emplace_back(QuestionSeries{.count = 4, .climb = 2});
+  std::vector<std::string> what;
+  for (const Asked& asked : FailuresOf(plan).asked) what.push_back(asked.what);
+  EXPECT_EQ(what, (std::vector<std::string>{"the file poses.csv, box and box",
+                                            "the file scenes, box and box",
+                                            "the file mine/a.toml, box and box",
+                                            "worst cases of random, box and box"}));
 }
 
 TEST(Symptoms, OfRightAnswersAreNone) {
