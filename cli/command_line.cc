@@ -305,12 +305,16 @@ class CommandLine {
     app->add_option_function<std::string>(
            "--fail-on",
            [this](const std::string& whose) {
-             run_.fail_on = whose == "subject" ? FailOn::kSubject : FailOn::kAnything;
+             run_.rule.whose = whose == "subject"  ? FailOn::kSubject
+                               : whose == "faults" ? FailOn::kFaults
+                                                   : FailOn::kAnything;
            },
-           "failures that give exit code 1: anything (default; includes references "
-           "proved wrong outside the ledger) or subject (for your own CI)")
-        ->check(OneOf({"subject", "anything"}))
+           "failures that give exit code 1: those of the subject (for your own CI); "
+           "faults (default), also those of references that are graver than rounding; "
+           "or anything")
+        ->check(OneOf({"subject", "faults", "anything"}))
         ->type_name("SCOPE");
+    AddFailAbove(app, run_.rule.above);
     AddJobs(app, run_.jobs);
     app->add_flag("--timings", run_.timings,
                   "print the twenty longest answers and worlds, and the sums by oracle, "
@@ -498,13 +502,7 @@ class CommandLine {
            "stop after that time, e.g. 90s, 10m or 2h")
         ->check(Duration())
         ->type_name("TIME");
-    app->add_option_function<std::string>(
-           "--fail-on",
-           [this](const std::string& band) { sweep_.fail_on = BandNamed(band); },
-           "least failures that give exit code 1: any (default), 1e-6, 1e-3, 0.1 (as a "
-           "fraction of the smaller body) or touching (a wrong hit or miss)")
-        ->check(OneOf({"any", "1e-6", "1e-3", "0.1", "touching"}))
-        ->type_name("BAND");
+    AddFailAbove(app, sweep_.fail_above);
     AddSetups(app);
     AddSlurm(app);
     AddJobs(app, sweep_.jobs);
@@ -527,11 +525,20 @@ class CommandLine {
                   "with --slurm: show the progress of each shard, submit nothing");
   }
 
-  static Grade BandNamed(const std::string& band) {
-    if (band == "1e-6") return Grade::kSmall;
-    if (band == "1e-3") return Grade::kLarge;
-    if (band == "0.1") return Grade::kGross;
-    return band == "touching" ? Grade::kWrongTouch : Grade::kNone;
+  /** Adds the grade above which failures give exit code 1. */
+  static void AddFailAbove(CLI::App* app, Grade& above) {
+    app->add_option_function<std::string>(
+           "--fail-above",
+           [&above](const std::string& size) {
+             above = size == "1e-6"   ? Grade::kRounding
+                     : size == "1e-3" ? Grade::kSmall
+                     : size == "0.1"  ? Grade::kLarge
+                                      : Grade::kGross;
+           },
+           "failures up to that share of the size do not give exit code 1: 1e-6, 1e-3 "
+           "or 0.1; touching: all but wrong hits and misses, and unusable answers")
+        ->check(OneOf({"1e-6", "1e-3", "0.1", "touching"}))
+        ->type_name("GRADE");
   }
 
   void AddTriage() {

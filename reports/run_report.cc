@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "reports/finding/grade.h"
+
 namespace touchstone {
 
 double SecondsOf(const RunReport& report, std::size_t oracle, std::size_t i) {
@@ -55,10 +57,17 @@ bool IsSubjectExamined(const RunReport& report) {
   return false;
 }
 
-int ExitCode(const RunReport& report, FailOn fail_on) {
-  const auto fails = [](const Finding& f) { return IsFailure(f.verdict); };
+bool CountsAsFailure(const Finding& finding, const RunReport& report,
+                     const FailureRule& rule) {
+  if (!IsFailure(finding.verdict) || !IsGraver(finding.grade, rule.above)) return false;
+  if (finding.oracle == report.subject || rule.whose == FailOn::kAnything) return true;
+  return rule.whose == FailOn::kFaults && IsGraver(finding.grade, Grade::kRounding);
+}
+
+int ExitCode(const RunReport& report, const FailureRule& rule) {
+  const auto fails = [&](const Finding& f) { return CountsAsFailure(f, report, rule); };
   const auto subject_fails = [&](const Finding& f) {
-    return fails(f) && f.oracle == report.subject;
+    return f.oracle == report.subject && fails(f);
   };
   const auto subject_got_worse = [&](const Regression& r) {
     return r.oracle == report.subject;
@@ -67,10 +76,8 @@ int ExitCode(const RunReport& report, FailOn fail_on) {
       std::ranges::any_of(report.regressions, subject_got_worse))
     return 1;
   if (!IsSubjectExamined(report)) return 2;
-  if (!report.faults.empty()) return 1;
-  if (fail_on == FailOn::kSubject) return 0;
-  return std::ranges::any_of(report.findings, fails) || !report.regressions.empty() ? 1
-                                                                                    : 0;
+  if (!report.faults.empty() || std::ranges::any_of(report.findings, fails)) return 1;
+  return rule.whose != FailOn::kSubject && !report.regressions.empty() ? 1 : 0;
 }
 
 }  // namespace touchstone

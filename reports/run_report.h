@@ -61,11 +61,24 @@ const std::string& TitleOf(const RunReport& report, std::size_t i);
 /** Returns whether an oracle answers questions of the kind of question i at all. */
 bool Answers(const RunReport& report, std::size_t oracle, std::size_t i);
 
-/** The failures that count for the exit code. */
+/** Whose failures count for the exit code, apart from faults of files, which always do.
+ */
 enum class FailOn {
-  kAnything,  ///< A reference proved wrong outside the ledger fails the run too.
-  kSubject,   ///< Only the subject's failures and the faults of files count.
+  kSubject,   ///< The subject's.
+  kFaults,    ///< Also those of references that are graver than rounding.
+  kAnything,  ///< Also those of references that are rounding.
 };
+
+/** The failures that count for the exit code. */
+struct FailureRule {
+  FailOn whose = FailOn::kFaults;
+  /** Failures that are not graver do not count. */
+  Grade above = Grade::kNone;
+};
+
+/** Returns whether `finding` of `report` is a failure that counts. */
+bool CountsAsFailure(const Finding& finding, const RunReport& report,
+                     const FailureRule& rule);
 
 /** Returns how many of the faults of files are entries or bounds of the ledger that hide
  less than they allow: they say "improved", and nothing is wrong but the ledger. */
@@ -78,6 +91,6 @@ bool IsSubjectExamined(const RunReport& report);
  baseline; otherwise 2 if none of its answers was verified, whatever the references do. It
  is otherwise 1 for a fault of the files, and for a reference that fails where that
  counts; otherwise 0. */
-int ExitCode(const RunReport& report, FailOn fail_on);
+int ExitCode(const RunReport& report, const FailureRule& rule);
 
 }  // namespace touchstone

@@ -91,7 +91,7 @@ std::string DataOfSweep(const Session& session, const std::filesystem::path& fil
       RunSuite(session, kept.questions, oracles, {}, {.jobs = jobs, .partial = true});
   return WithSweep(ReportData(report, {.program = "touchstone " TOUCHSTONE_VERSION,
                                        .command = "touchstone report " + file.string(),
-                                       .fail_on = FailOn::kAnything}),
+                                       .rule = {}}),
                    file, BuiltInLedger(session, {}, {}));
 } catch (const SweepFileError& error) {
   throw InputError(error.what());

@@ -212,7 +212,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) try {
              {.colours = session.terminal.colours,
               .quiet = arguments.quiet,
               .width = session.terminal.width,
-              .fail_on = arguments.fail_on},
+              .rule = arguments.rule},
              std::cout);
   if (arguments.timings) WriteTimings(report, std::cout);
   if (!session.registry.missing().empty() && arguments.oracles.against.empty()) {
@@ -226,14 +226,14 @@ int RunCommand(const Session& session, const RunArguments& arguments) try {
     WriteReports(report,
                  {.program = "touchstone " TOUCHSTONE_VERSION,
                   .command = CommandOf(arguments),
-                  .fail_on = arguments.fail_on,
+                  .rule = arguments.rule,
                   .own = OnlyInFiles(session, arguments.scenarios, questions)},
                  *out);
     kept->Remove();
     std::cout << fmt::format("page: {}\n", (*folder / "report.html").string());
   }
   if (arguments.open) OpenPage(*folder / "report.html");
-  return ExitCode(report, arguments.fail_on);
+  return ExitCode(report, arguments.rule);
 } catch (const SweepFileError& error) {
   throw InputError(error.what());
 }

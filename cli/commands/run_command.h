@@ -23,7 +23,7 @@ struct RunArguments {
   /** Whether results that an interrupted run left in `out` are used. */
   bool resume = false;
   bool open = false;  ///< Whether to show the page in the browser.
-  FailOn fail_on = FailOn::kAnything;
+  FailureRule rule = {};
   int jobs = 0;
   bool timings = false;  ///< Whether to print where the time went.
   bool quiet = false;

@@ -364,7 +364,7 @@ int ExitCodeOf(const Swept& swept, const std::vector<SubjectSummary>& subjects,
   const auto any = [&subjects](auto is_so) {
     return std::any_of(subjects.begin(), subjects.end(), is_so);
   };
-  if (any([](const SubjectSummary& s) { return s.failed_in_band > 0; })) return 1;
+  if (any([](const SubjectSummary& s) { return s.counted > 0; })) return 1;
   const auto is_verified = [](const SubjectSummary& s) { return s.examined > 0; };
   // With `all`, nobody has said that each of them supports the questions.
   if (all_subjects && any(is_verified)) return 0;
@@ -447,7 +447,7 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) try {
                                     : SweepInMemory(plan, options);
   bar.reset();
   const std::vector<SubjectSummary> subjects =
-      PrintSweepTable(swept.file, arguments.fail_on);
+      PrintSweepTable(swept.file, arguments.fail_above);
   const std::size_t written = out ? WriteFailures(*out, swept.file) : 0;
   const bool is_explained = subjects.size() == 1 && !arguments.quiet && swept.complete &&
                             subjects.front().failed > 0;

@@ -44,9 +44,8 @@ struct SweepArguments {
   std::optional<std::chrono::seconds> time;  ///< The time after which it stops.
   /** Folder for the file of results and for the failed questions, as TOML. */
   std::optional<std::filesystem::path> out;
-  /** Failures of a lesser band do not count for the exit code; those without a band, a
-   crash for example, do. */
-  Grade fail_on = Grade::kNone;
+  /** Failures that are not graver do not count for the exit code. */
+  Grade fail_above = Grade::kNone;
   SlurmArguments slurm;
   int jobs = 0;
   bool quiet = false;

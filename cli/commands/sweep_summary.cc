@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/finding/grade.h"
 #include "reports/text/counted.h"
 
 namespace touchstone {
@@ -59,11 +60,6 @@ std::string DetailOf(const FailureKind& kind) {
   return kind.cause == Cause::kNone ? "" : fmt::format(", {}", NameOf(kind.cause));
 }
 
-bool HasNoAnswer(Verdict verdict) {
-  return verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut ||
-         verdict == Verdict::kInvalid;
-}
-
 FailureKind KindOf(const FindingKind& kind) {
   return {kind.measure, kind.cause, kind.law, kind.ending};
 }
@@ -75,17 +71,17 @@ std::uint64_t ExaminedOf(const Series& series, const OracleTally& tally) {
   return is_generated ? tally.verified_touching : tally.verified;
 }
 
-void Add(const OracleTally& tally, const Series& of, std::size_t series, Grade least,
+void Add(const OracleTally& tally, const Series& of, std::size_t series, Grade above,
          SubjectSummary& summary) {
   summary.examined += ExaminedOf(of, tally);
   for (const auto& [kind, count] : tally.answers) {
     if (kind.verdict != Verdict::kUnsupported) summary.answers += count;
     if (!IsFailure(kind.verdict)) continue;
     summary.failed += count;
-    if (kind.band >= least || HasNoAnswer(kind.verdict)) summary.failed_in_band += count;
+    if (IsGraver(kind.grade, above)) summary.counted += count;
     FailureCluster& cluster = summary.clusters[KindOf(kind)];
     cluster.count += count;
-    cluster.band = std::max(cluster.band, kind.band);
+    cluster.grade = std::max(cluster.grade, kind.grade);
   }
   for (const auto& [kind, failures] : tally.failures) {
     FailureCluster& cluster = summary.clusters[KindOf(kind)];
@@ -124,7 +120,7 @@ std::size_t OriginWidth(const std::vector<Series>& all) {
 
 }  // namespace
 
-std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least) {
+std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade above) {
   const SweepSettings& settings = file.settings();
   std::vector<SubjectSummary> summaries(settings.subjects.size());
   std::size_t width = 0;
@@ -155,7 +151,7 @@ std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least) 
     }
     for (std::size_t i = 0; i < summaries.size(); ++i) {
       const OracleTally& oracle = tally.oracles[i];
-      Add(oracle, series, s, least, summaries[i]);
+      Add(oracle, series, s, above, summaries[i]);
       std::cout << RowOf(series, origin, column(settings.subjects[i]), oracle);
     }
   }
@@ -184,7 +180,7 @@ void PrintFailureClusters(const SweepFile& file,
       std::cout << fmt::format(
           "{:>9}  {}{}{}{}\n", cluster.count, InWords(kind.measure, kind.law),
           DetailOf(kind),
-          cluster.band == Grade::kNone ? "" : ", gravest: ", NameOf(cluster.band));
+          cluster.grade == Grade::kNone ? "" : ", gravest: ", NameOf(cluster.grade));
       if (!cluster.worst) continue;
       std::cout << fmt::format(
           "           {} --subject {}\n",

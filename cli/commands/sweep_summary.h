@@ -23,7 +23,7 @@ struct FailureKind {
 /** Failures of one kind. */
 struct FailureCluster {
   std::uint64_t count = 0;
-  Grade band = Grade::kNone;            ///< The gravest.
+  Grade grade = Grade::kNone;           ///< The gravest.
   std::optional<FailedQuestion> worst;  ///< The one of the largest share that is kept.
   std::size_t series = 0;               ///< The series of `worst`.
 };
@@ -34,14 +34,13 @@ struct SubjectSummary {
   /** Verified answers; of generated contact questions, those to questions that touch. */
   std::uint64_t examined = 0;
   std::uint64_t failed = 0;
-  std::uint64_t failed_in_band = 0;  ///< Failures of the least band that counts, or more.
+  std::uint64_t counted = 0;  ///< Failures that count for the exit code.
   std::map<FailureKind, FailureCluster> clusters;
 };
 
 /** Prints one row per series and subject of a sweep to standard output. Returns the sums
- per subject. Failures count in `failed_in_band` from `least` on, or if they have no band.
- */
-std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least);
+ per subject. Failures that are graver than `above` are `counted`. */
+std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade above);
 
 /** Prints the failures of each subject by kind, the most frequent first, with the
  commands that repeat them. */

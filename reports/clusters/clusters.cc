@@ -81,32 +81,32 @@ double Comparable(double share) {
 }
 
 /** Returns the key by which the worst finding of a cluster is the greatest: a length
- before any other value, then its share. The two gravest bands count as one, since the
- depth of a wrong hit says less than an error ten times as large. */
-std::tuple<Band, bool, double> SizeOf(const Finding& finding, Band band, double share) {
+ before any other value, then its share. The gravest grades, from 10 % on, count as one,
+ since the depth of a wrong hit says less than an error ten times as large. */
+std::tuple<Grade, bool, double> SizeOf(const Finding& finding, Grade grade,
+                                       double share) {
   const bool is_length =
       finding.measure == MeasureKind::kTouching || UnitOf(finding.measure) == "m";
-  return {std::min(band, Band::kGross), is_length, Comparable(share)};
+  return {std::min(grade, Grade::kGross), is_length, Comparable(share)};
 }
 
 /** Fills a cluster from its findings. */
 void Sum(const RunReport& report, const Clusters& all,
          const std::vector<double>& ordinary, Cluster& cluster) {
   std::map<std::size_t, std::size_t> oracles;
-  std::map<std::size_t, std::pair<Band, double>> questions;
-  std::tuple<Band, bool, double> worst{Band::kNone, false, -1};
+  std::map<std::size_t, std::pair<Grade, double>> questions;
+  std::tuple<Grade, bool, double> worst{Grade::kNone, false, -1};
   for (const std::size_t f : cluster.findings) {
     const Finding& finding = report.findings[f];
     const auto [question, oracle] = all.places[f];
-    const std::pair<Band, double> size{
-        BandOf(finding, report.ledger.entries, all.shares[f]), Comparable(all.shares[f])};
+    const std::pair<Grade, double> size{finding.grade, Comparable(all.shares[f])};
     ++oracles[oracle];
     auto& of_question = questions.try_emplace(question, size).first->second;
     of_question = std::max(of_question, size);
     cluster.ordinary = std::max(cluster.ordinary, ordinary[question]);
-    cluster.gravity = std::max(
-        cluster.gravity, static_cast<double>(size.first) - (1 - ordinary[question]));
-    cluster.band = std::max(cluster.band, size.first);
+    cluster.rank = std::max(cluster.rank,
+                            static_cast<double>(size.first) - (1 - ordinary[question]));
+    cluster.grade = std::max(cluster.grade, size.first);
     if (const auto key = SizeOf(finding, size.first, all.shares[f]); key > worst) {
       worst = key;
       cluster.worst = f;
@@ -135,14 +135,14 @@ void Sum(const RunReport& report, const Clusters& all,
           ? cluster.share * SizeOfQuestion(report, all.places[cluster.worst].question)
           : finding.value;
   for (const auto& [oracle, count] : oracles) cluster.oracles.push_back(oracle);
-  cluster.gravity += std::log2(static_cast<double>(oracles.size())) / 2 +
-                     std::log10(static_cast<double>(questions.size()));
+  cluster.rank += std::log2(static_cast<double>(oracles.size())) / 2 +
+                  std::log10(static_cast<double>(questions.size()));
   std::ranges::stable_sort(cluster.oracles, std::greater{},
                            [&](std::size_t o) { return oracles.at(o); });
   for (const auto& [question, size] : questions) cluster.questions.push_back(question);
   std::ranges::stable_sort(cluster.questions, std::greater{}, [&](std::size_t q) {
-    const auto& [band, share] = questions.at(q);
-    return std::tuple(band, ordinary[q], share);
+    const auto& [grade, share] = questions.at(q);
+    return std::tuple(grade, ordinary[q], share);
   });
 }
 
@@ -163,9 +163,8 @@ std::string TurnInWords(const Finding& finding) {
 std::string SizeInWords(const RunReport& report, const Cluster& cluster) {
   const Finding& worst = report.findings[cluster.worst];
   const Verdict verdict = VerdictBefore(worst, report.ledger.entries);
-  if (verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut ||
-      verdict == Verdict::kInvalid || cluster.band == Band::kNone ||
-      cluster.unit.empty() || cluster.error == 0) {
+  if (IsUnusable(verdict) || cluster.grade == Grade::kNone || cluster.unit.empty() ||
+      cluster.error == 0) {
     return "";
   }
   if (const std::string turn = TurnInWords(worst); !turn.empty())
@@ -192,31 +191,6 @@ std::string InARow(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::string_view NameOf(Band band) {
-  constexpr std::array<std::string_view, kBands> kNames = {
-      "", "rounding", "over 1e-6", "over 0.001", "over 10 %", "wrong answer"};
-  return kNames[static_cast<std::size_t>(band)];
-}
-
-Band BandOf(const Finding& finding, std::span<const LedgerEntry> entries, double share) {
-  switch (VerdictBefore(finding, entries)) {
-    case Verdict::kCrashed:
-    case Verdict::kTimedOut:
-      return Band::kWrong;
-    case Verdict::kInvalid:
-      return finding.grade == Grade::kNone ? Band::kWrong
-                                           : static_cast<Band>(finding.grade);
-    case Verdict::kFail:
-    case Verdict::kKnown:
-      break;
-    case Verdict::kDisagree:
-      return static_cast<Band>(GradeOfShare(share));
-    default:
-      return Band::kNone;
-  }
-  return static_cast<Band>(finding.grade);
-}
-
 Clusters ClustersOf(const RunReport& report) {
   Clusters all;
   all.places = PlacesOf(report);
@@ -235,7 +209,7 @@ Clusters ClustersOf(const RunReport& report) {
     all.ranked.push_back(std::move(cluster));
   }
   std::ranges::stable_sort(all.ranked, std::greater{}, [](const Cluster& cluster) {
-    return std::tuple(cluster.gravity, Comparable(cluster.share), cluster.oracles.size(),
+    return std::tuple(cluster.rank, Comparable(cluster.share), cluster.oracles.size(),
                       cluster.findings.size());
   });
   for (std::size_t c = 0; c < all.ranked.size(); ++c) {

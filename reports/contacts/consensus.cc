@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/contacts/grade.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/stated.h"
 
@@ -72,15 +73,17 @@ Vote VoteOn(const Voter& voter, const std::vector<Voter>& voters,
 }
 
 void Settle(Finding& finding, const Voter& voter, const std::vector<Voter>& voters,
-            bool (*same)(const Voter&, const Voter&), const Enclosure& truth) {
+            bool (*same)(const Voter&, const Voter&), const ScenarioResult& result) {
   const Vote vote = VoteOn(voter, voters, same);
   if (vote.against < vote.with) return;
   finding.verdict = Verdict::kDisagree;
+  finding.grade = GradeOf(finding, result.scenario.contact, result.truth);
   finding.reference = vote.first_against;
   finding.proof = fmt::format(
       "{} differs from {} algorithm families, {} among them, and agrees with {}; the "
       "truth is certified only to lie in [{:.9g}, {:.9g}] m.",
-      voter.name, vote.against, vote.first_against, vote.with - 1, truth.lo, truth.hi);
+      voter.name, vote.against, vote.first_against, vote.with - 1,
+      result.truth.separation.lo, result.truth.separation.hi);
 }
 
 }  // namespace
@@ -97,7 +100,7 @@ void SettleByConsensus(const ScenarioResult& result, std::span<const OracleInfo>
     if (finding.measure == MeasureKind::kTouching &&
         finding.verdict == Verdict::kUndecidable && truth.lo < -voter->tolerance &&
         truth.hi > voter->tolerance) {
-      Settle(finding, *voter, voters, SameTouching, truth);
+      Settle(finding, *voter, voters, SameTouching, result);
     }
     if (finding.measure == MeasureKind::kSeparationError &&
         finding.verdict == Verdict::kUndecidable &&
@@ -105,7 +108,7 @@ void SettleByConsensus(const ScenarioResult& result, std::span<const OracleInfo>
       std::vector<Voter> measured;
       std::copy_if(voters.begin(), voters.end(), std::back_inserter(measured),
                    [](const Voter& v) { return v.separation.has_value(); });
-      Settle(finding, *voter, measured, SameSeparation, truth);
+      Settle(finding, *voter, measured, SameSeparation, result);
     }
   }
 }

@@ -70,9 +70,7 @@ void ExplainTheRest(std::span<const ScenarioResult> results,
       finding.cause = Cause::kDefect;
       finding.cause_because =
           "no known convention, tie, rounding or model accounts for it";
-    } else if (finding.verdict == Verdict::kCrashed ||
-               finding.verdict == Verdict::kTimedOut ||
-               finding.verdict == Verdict::kInvalid) {
+    } else if (IsUnusable(finding.verdict)) {
       finding.cause = Cause::kDefect;
       finding.cause_because = "a valid question, without a usable answer";
     }

@@ -27,7 +27,7 @@ Grade GradeOf(const Finding& finding, const ContactQuery& query,
 }
 
 Grade GradeOf(const Invalidity& invalidity) {
-  return invalidity.off_unit ? GradeOfShare(*invalidity.off_unit) : Grade::kNone;
+  return invalidity.off_unit ? GradeOfShare(*invalidity.off_unit) : Grade::kUnusable;
 }
 
 }  // namespace touchstone

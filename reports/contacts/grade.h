@@ -20,7 +20,7 @@ Grade GradeOf(const Finding& finding, const ContactQuery& query,
               const ContactTruth& truth);
 
 /** Returns the grade of an invalid answer: by how much a normal is off unit length, if
- that is all; else kNone, as no answer is not wrong by any size. */
+ that is all; else kUnusable. */
 Grade GradeOf(const Invalidity& invalidity);
 
 }  // namespace touchstone

@@ -174,7 +174,7 @@ class Judgement {
       return fmt::format("{}: {}{}", oracle_.name, why, why.ends_with('.') ? "" : ".");
     });
     finding.verdict = verdict;
-    finding.grade = Grade::kNone;  // No answer is not wrong by any size.
+    finding.grade = IsUnusable(verdict) ? Grade::kUnusable : Grade::kNone;
     finding.safety = 1;
   }
 

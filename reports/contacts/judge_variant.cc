@@ -228,6 +228,8 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   const ToleranceReasons because(oracle, scenario, truth, answer.touching, granted.base);
   const auto failed = [&](Verdict verdict, const std::string& why) {
     finding.verdict = verdict;
+    if (finding.grade == Grade::kNone && IsUnusable(verdict))
+      finding.grade = Grade::kUnusable;
     if (reasons == Reasons::kOfAll)
       finding.tolerance_because = Because(granted, false, because);
     finding.proof = fmt::format("{} answers the question, but not its variant ({}): {}{}",

@@ -5,8 +5,8 @@
 namespace touchstone {
 namespace {
 
-/** Returns the severity of a verdict. */
-int Gravity(Verdict verdict) {
+/** Returns the rank of a verdict among those of one answer; the largest decides. */
+int RankOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::kUnsupported:
       return 0;
@@ -23,19 +23,20 @@ int Gravity(Verdict verdict) {
     case Verdict::kInvalid:
       return 6;
     case Verdict::kTimedOut:
-      return 7;
-    case Verdict::kCrashed:
       return 8;
+    case Verdict::kCrashed:
+      return 9;
   }
-  return 8;
+  return 9;
 }
 
-/** Returns the severity of a finding. A wrong hit or miss outweighs a field that is
- missing because of it. */
-int Gravity(const Finding& finding) {
-  const bool wrong_touch =
+/** Returns the rank of a finding. A wrong hit or miss outweighs a field that is missing
+ because of it. */
+int RankOf(const Finding& finding) {
+  constexpr int kWrongTouch = 7;
+  const bool is_wrong_touch =
       finding.verdict == Verdict::kFail && finding.grade == Grade::kWrongTouch;
-  return Gravity(wrong_touch ? Verdict::kInvalid : finding.verdict);
+  return is_wrong_touch ? kWrongTouch : RankOf(finding.verdict);
 }
 
 /** Returns whether `finding` shows a graver fault than `than`, or a reason that leaves
@@ -63,8 +64,8 @@ double RelativeToTolerance(const Finding& finding) {
 const Finding* DecisiveOf(std::span<const Finding> of_one_answer) {
   const Finding* decisive = nullptr;
   for (const Finding& finding : of_one_answer) {
-    if (decisive == nullptr || Gravity(finding) > Gravity(*decisive) ||
-        (Gravity(finding) == Gravity(*decisive) && IsBetterProof(finding, *decisive)))
+    if (decisive == nullptr || RankOf(finding) > RankOf(*decisive) ||
+        (RankOf(finding) == RankOf(*decisive) && IsBetterProof(finding, *decisive)))
       decisive = &finding;
   }
   return decisive;

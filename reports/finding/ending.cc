@@ -19,16 +19,10 @@ std::string KindOfProof(const std::string& proof) {
 }
 
 std::string EndingOf(const Finding& finding) {
-  switch (finding.verdict) {
-    case Verdict::kCrashed:
-    case Verdict::kTimedOut:
-    case Verdict::kInvalid:
-      return KindOfProof(finding.proof.starts_with(finding.oracle + ": ")
-                             ? finding.proof.substr(finding.oracle.size() + 2)
-                             : finding.proof);
-    default:
-      return "";
-  }
+  if (!IsUnusable(finding.verdict)) return "";
+  return KindOfProof(finding.proof.starts_with(finding.oracle + ": ")
+                         ? finding.proof.substr(finding.oracle.size() + 2)
+                         : finding.proof);
 }
 
 }  // namespace touchstone

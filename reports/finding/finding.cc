@@ -25,7 +25,11 @@ void TakeBackProof(Finding& finding) {
 
 bool IsFailure(Verdict verdict) {
   return verdict == Verdict::kFail || verdict == Verdict::kDisagree ||
-         verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut ||
+         IsUnusable(verdict);
+}
+
+bool IsUnusable(Verdict verdict) {
+  return verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut ||
          verdict == Verdict::kInvalid;
 }
 
@@ -71,8 +75,9 @@ std::string_view NameOf(Undecided undecided) {
 }
 
 std::string_view NameOf(Grade grade) {
-  constexpr std::array<std::string_view, 6> kNames = {
-      "", "rounding", "over 1e-6", "over 0.001", "over 10 %", "wrong hit or miss"};
+  constexpr std::array<std::string_view, kGrades> kNames = {
+      "",          "rounding",          "over 1e-6", "over 0.001",
+      "over 10 %", "wrong hit or miss", "unusable"};
   return kNames[static_cast<std::size_t>(grade)];
 }
 

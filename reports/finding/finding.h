@@ -35,16 +35,21 @@ enum class Undecided {
   kOpposed,     ///< The sign is certified, and the answer denies it, within its rounding.
 };
 
-/** The grade of a fault, from the mildest to the gravest. Lengths are divided by the
- extent of the smaller body. Angles [rad], fractions and counts are compared directly. */
+/** How bad a fault is, from the mildest to the gravest: the one scale of the console, the
+ page, sweeps and triage. Lengths are divided by the extent of the smaller body, see
+ ShareOf(). Angles [rad], fractions and counts are compared directly. What has no size,
+ such as a missing contact or an order of convergence, is kLarge at most. */
 enum class Grade {
-  kNone,        ///< No fault, or one without a size.
+  kNone,        ///< No fault.
   kRounding,    ///< At most 1e-6.
   kSmall,       ///< Over 1e-6.
   kLarge,       ///< Over 1e-3.
   kGross,       ///< Over 10 %.
-  kWrongTouch,  ///< A wrong hit or miss by more than 1e-6.
+  kWrongTouch,  ///< A wrong hit or miss by more than 1e-6, or a body passed through.
+  kUnusable,    ///< A crash, a hang, or an answer that is invalid.
 };
+
+inline constexpr int kGrades = static_cast<int>(Grade::kUnusable) + 1;
 
 /** The reason why an answer differs. */
 enum class Cause {
@@ -91,7 +96,7 @@ struct Finding {
   std::string tolerance_because;  ///< Origin of the tolerance, one sentence.
   Verdict verdict = Verdict::kPass;
   Undecided undecided = Undecided::kUnknown;  ///< Why it is undecidable, if it is.
-  Grade grade = Grade::kNone;  ///< Size of the fault; kNone unless proved wrong.
+  Grade grade = Grade::kNone;  ///< How bad the fault is; kNone if there is none.
   /** Factor of safety within `tolerance`; 1 if there is none. [-] */
   double safety = 1;
   Cause cause = Cause::kNone;
@@ -129,6 +134,10 @@ void TakeBackProof(Finding& finding);
  crashed, timed out or invalid. */
 bool IsFailure(Verdict verdict);
 
+/** Returns whether an answer with that verdict is missing or of no use: crashed, timed
+ out or invalid. */
+bool IsUnusable(Verdict verdict);
+
 /** Returns whether a value exceeds its tolerance by no more than the tolerance's factor
  of safety. Such a fault rests on the choice of that factor. */
 bool IsWithinSafety(const Finding& finding);
@@ -153,7 +162,7 @@ std::string_view RecognisedModelOf(const Finding& finding);
 std::string_view NameOf(Verdict verdict);
 /** Returns "sign known and agreed", "truth unknown", … */
 std::string_view NameOf(Undecided undecided);
-/** Returns "wrong hit or miss", "over 10 %", …; "" for kNone. */
+/** Returns "unusable", "wrong hit or miss", "over 10 %", …; "" for kNone. */
 std::string_view NameOf(Grade grade);
 /** Returns "both as set here and as shipped", "as set here only", …; "" for kNotAsked. */
 std::string_view NameOf(Shipped shipped);

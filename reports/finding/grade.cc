@@ -10,4 +10,8 @@ Grade GradeOfShare(double share) {
   return Grade::kGross;
 }
 
+bool IsGraver(Grade fault, Grade above) {
+  return fault == Grade::kNone || fault > above;
+}
+
 }  // namespace touchstone

@@ -11,4 +11,8 @@ inline constexpr double kRoundingShare = 1e-6;
  kSmall, kLarge or kGross. A NaN is gross. [-] */
 Grade GradeOfShare(double share);
 
+/** Returns whether a fault is graver than `above`. One without a grade is, so that nobody
+ loses a failure by not grading it. */
+bool IsGraver(Grade fault, Grade above);
+
 }  // namespace touchstone

@@ -37,7 +37,8 @@ std::string ComplaintAboutWorlds(const Oracle& subject,
     for (const std::string& fault : report.faults) faults += fault + '\n';
     verified = verified || IsSubjectExamined(report);
     // Code 1 is a failure of the subject or a fault of the file.
-    if (!report.faults.empty() || ExitCode(report, FailOn::kSubject) != 1) continue;
+    if (!report.faults.empty() || ExitCode(report, {.whose = FailOn::kSubject}) != 1)
+      continue;
     ++failures;
     failed += fmt::format("  {}\n", world.id);
     if (!first) first = std::move(report);

@@ -144,8 +144,7 @@ void CheckContacts(const ScenarioResult& result, std::vector<std::string>& fault
 
 bool Indicts(const Finding& finding) {
   return finding.verdict == Verdict::kFail || finding.verdict == Verdict::kKnown ||
-         finding.verdict == Verdict::kInvalid || finding.verdict == Verdict::kCrashed ||
-         finding.verdict == Verdict::kTimedOut;
+         IsUnusable(finding.verdict);
 }
 
 /** Returns the fault of an indictment for one measure, or "".

@@ -11,7 +11,7 @@ namespace {
 FindingKind KindOf(const Finding& finding, const JudgedAnswer& answer) {
   return {.measure = finding.measure,
           .verdict = finding.verdict,
-          .band = finding.grade,
+          .grade = finding.grade,
           .cause = finding.cause,
           .law = finding.law,
           .ending = EndingOf(finding),
@@ -38,7 +38,8 @@ void AddFinding(const Finding& finding, const JudgedAnswer& answer, OracleTally&
           .tolerance = finding.tolerance,
           .tolerances = RelativeToTolerance(finding),
           .share = OrderedShareOf(finding, answer),
-          .verdict = finding.verdict},
+          .verdict = finding.verdict,
+          .grade = finding.grade},
          tally.worst[measurand]);
 }
 

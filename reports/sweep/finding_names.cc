@@ -19,7 +19,7 @@ std::optional<Verdict> VerdictNamed(std::string_view name) {
 }
 
 std::optional<Grade> GradeNamed(std::string_view name) {
-  return Named(name, Grade::kWrongTouch);
+  return Named(name, Grade::kUnusable);
 }
 
 std::optional<Cause> CauseNamed(std::string_view name) {

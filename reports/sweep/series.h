@@ -30,7 +30,7 @@ inline constexpr std::uint64_t kWorldBlock = 16;
 inline constexpr std::uint64_t kExaminedBlocks = 4;
 
 /** In each later block, the number of failed answers of each oracle whose cause is
- sought, of each verdict, measure and band: the first ones. A cause takes a dozen more
+ sought, of each verdict, measure and grade: the first ones. A cause takes a dozen more
  questions, and half of the answers of some oracles fail. A margin needs three that share
  it, a convention two (reports/contacts/causes/). The kind of an answer is that of its
  decisive finding, so that kinds which are rarely decisive are rarely examined. */

@@ -25,21 +25,21 @@ CREATE TABLE questions(series INTEGER, oracle TEXT, asked INTEGER, touching INTE
   undecided INTEGER, verified INTEGER, verified_touching INTEGER,
   PRIMARY KEY(series, oracle)) WITHOUT ROWID;
 CREATE TABLE answers(series INTEGER, oracle TEXT, measure TEXT, law TEXT, verdict TEXT,
-  band TEXT, cause TEXT, ending TEXT, touching INTEGER, count INTEGER,
-  PRIMARY KEY(series, oracle, measure, law, verdict, band, cause, ending, touching))
+  grade TEXT, cause TEXT, ending TEXT, touching INTEGER, count INTEGER,
+  PRIMARY KEY(series, oracle, measure, law, verdict, grade, cause, ending, touching))
   WITHOUT ROWID;
 CREATE TABLE findings(series INTEGER, oracle TEXT, measure TEXT, law TEXT, verdict TEXT,
-  band TEXT, cause TEXT, ending TEXT, touching INTEGER, count INTEGER,
-  PRIMARY KEY(series, oracle, measure, law, verdict, band, cause, ending, touching))
+  grade TEXT, cause TEXT, ending TEXT, touching INTEGER, count INTEGER,
+  PRIMARY KEY(series, oracle, measure, law, verdict, grade, cause, ending, touching))
   WITHOUT ROWID;
 CREATE TABLE sketches(series INTEGER, oracle TEXT, measure TEXT, law TEXT, bin INTEGER,
   least REAL, count INTEGER,
   PRIMARY KEY(series, oracle, measure, law, bin)) WITHOUT ROWID;
 CREATE TABLE worst(series INTEGER, oracle TEXT, measure TEXT, law TEXT, place INTEGER,
   question INTEGER, value REAL, tolerance REAL, tolerances REAL, share REAL, verdict TEXT,
-  PRIMARY KEY(series, oracle, measure, law, place)) WITHOUT ROWID;
+  grade TEXT, PRIMARY KEY(series, oracle, measure, law, place)) WITHOUT ROWID;
 CREATE TABLE failures(series INTEGER, oracle TEXT, question INTEGER, measure TEXT,
-  law TEXT, verdict TEXT, band TEXT, cause TEXT, ending TEXT, touching INTEGER,
+  law TEXT, verdict TEXT, grade TEXT, cause TEXT, ending TEXT, touching INTEGER,
   value REAL, tolerance REAL, share REAL,
   proof TEXT, scenario TEXT, PRIMARY KEY(series, oracle, question)) WITHOUT ROWID;
 )";
@@ -55,7 +55,7 @@ void WriteCounts(const Database& database, const char* table, std::size_t series
       fmt::format("INSERT INTO {} VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", table));
   for (const auto& [kind, count] : counts) {
     insert.Run(series, oracle, NameOf(kind.measure), kind.law, NameOf(kind.verdict),
-               NameOf(kind.band), NameOf(kind.cause), kind.ending,
+               NameOf(kind.grade), NameOf(kind.cause), kind.ending,
                std::uint64_t{kind.touching}, count);
   }
 }
@@ -74,13 +74,14 @@ void WriteOracle(const Database& database, std::size_t series, const std::string
                count);
     }
   }
-  Statement worst(database, "INSERT INTO worst VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement worst(database,
+                  "INSERT INTO worst VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const auto& [of, findings] : tally.worst) {
     std::uint64_t place = 0;
     for (const WorstFinding& finding : findings) {
       worst.Run(series, oracle, NameOf(of.measure), of.law, ++place, finding.question,
                 finding.value, finding.tolerance, finding.tolerances, finding.share,
-                NameOf(finding.verdict));
+                NameOf(finding.verdict), NameOf(finding.grade));
     }
   }
   Statement failures(
@@ -90,7 +91,7 @@ void WriteOracle(const Database& database, std::size_t series, const std::string
     for (const FailedQuestion& failure : of_kind) {
       failures.Run(series, oracle, failure.question, NameOf(failure.kind.measure),
                    failure.kind.law, NameOf(failure.kind.verdict),
-                   NameOf(failure.kind.band), NameOf(failure.kind.cause),
+                   NameOf(failure.kind.grade), NameOf(failure.kind.cause),
                    failure.kind.ending, std::uint64_t{failure.kind.touching},
                    failure.value, failure.tolerance, failure.share, failure.proof,
                    failure.scenario);
@@ -136,7 +137,7 @@ FindingCounts ReadCounts(const Database& database, const char* table, std::size_
   Statement row(
       database,
       fmt::format(
-          "SELECT measure, law, verdict, band, cause, ending, touching, count FROM {} "
+          "SELECT measure, law, verdict, grade, cause, ending, touching, count FROM {} "
           "WHERE series = ? AND oracle = ?",
           table));
   row.Start(series, oracle);
@@ -169,7 +170,7 @@ OracleTally ReadOracle(const Database& database, std::size_t series,
   }
   Statement worst(database,
                   "SELECT measure, law, question, value, tolerance, tolerances, share, "
-                  "verdict FROM worst WHERE series = ? AND oracle = ? "
+                  "verdict, grade FROM worst WHERE series = ? AND oracle = ? "
                   "ORDER BY measure, law, place");
   worst.Start(series, oracle);
   while (worst.Next()) {
@@ -179,10 +180,11 @@ OracleTally ReadOracle(const Database& database, std::size_t series,
          .tolerance = worst.Real(4),
          .tolerances = worst.Real(5),
          .share = worst.Real(6),
-         .verdict = Known(database, VerdictNamed(worst.Text(7)), worst.Text(7))});
+         .verdict = Known(database, VerdictNamed(worst.Text(7)), worst.Text(7)),
+         .grade = Known(database, GradeNamed(worst.Text(8)), worst.Text(8))});
   }
   Statement failure(database,
-                    "SELECT question, measure, law, verdict, band, cause, ending, "
+                    "SELECT question, measure, law, verdict, grade, cause, ending, "
                     "touching, value, tolerance, "
                     "share, proof, scenario FROM failures WHERE series = ? AND "
                     "oracle = ? ORDER BY share DESC, question");

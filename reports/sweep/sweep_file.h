@@ -13,7 +13,7 @@
 namespace touchstone {
 
 /** The version of the tables, which docs/sweep_file.md documents. */
-inline constexpr int kSweepSchema = 5;
+inline constexpr int kSweepSchema = 6;
 
 /** The way in which a file is written. */
 enum class SweepJournal {

@@ -63,7 +63,7 @@ struct Opened {
 
 /** Failures of all series, the gravest first. */
 constexpr const char* kFailures =
-    "SELECT oracle, measure, law, verdict, band, cause, value, share, proof, series, "
+    "SELECT oracle, measure, law, verdict, grade, cause, value, share, proof, series, "
     "question, scenario, ending FROM failures "
     "ORDER BY share IS NULL, share DESC, series, oracle, question";
 
@@ -71,7 +71,7 @@ constexpr const char* kFailures =
  has nothing to see. */
 constexpr const char* kWorst =
     "SELECT oracle, measure, law, verdict, value, tolerance, tolerances, share, series, "
-    "question, place FROM worst WHERE value <> 0 "
+    "question, place, grade FROM worst WHERE value <> 0 "
     "ORDER BY tolerances IS NULL, tolerances DESC, share DESC, series, oracle, measure, "
     "law, place";
 
@@ -104,7 +104,7 @@ struct PageNames {
   Texts measures;
   Texts laws;  ///< "" for contact questions, and for the measure of having answered.
   Texts verdicts;
-  Texts bands;  ///< "" for no fault.
+  Texts grades;  ///< "" for no fault.
 };
 
 /** A pair of shapes in words; '' for worlds, whose shapes are NULL. */
@@ -123,12 +123,12 @@ void PushSeries(const Series& series, PageNames& names, DataJson& data) {
 }
 
 DataJson AnswersData(const Database& database, PageNames& names) {
-  DataJson data = Columns({"family", "pair", "oracle", "verdict", "band", "count"});
+  DataJson data = Columns({"family", "pair", "oracle", "verdict", "grade", "count"});
   Statement row(
       database,
-      fmt::format("SELECT family, {}, oracle, verdict, band, sum(answers.count) "
+      fmt::format("SELECT family, {}, oracle, verdict, grade, sum(answers.count) "
                   "FROM answers JOIN series USING(series) "
-                  "GROUP BY family, A, B, oracle, verdict, band",
+                  "GROUP BY family, A, B, oracle, verdict, grade",
                   kPair));
   row.Start();
   while (row.Next()) {
@@ -136,7 +136,7 @@ DataJson AnswersData(const Database& database, PageNames& names) {
     data["pair"].push_back(names.pairs.IndexOf(row.Text(1)));
     data["oracle"].push_back(names.oracles.IndexOf(row.Text(2)));
     data["verdict"].push_back(names.verdicts.IndexOf(row.Text(3)));
-    data["band"].push_back(names.bands.IndexOf(row.Text(4)));
+    data["grade"].push_back(names.grades.IndexOf(row.Text(4)));
     data["count"].push_back(row.Integer(5));
   }
   return data;
@@ -153,11 +153,12 @@ struct Histogram {
  of shapes: with them a page of all families would have a row for each of 10^5 counts. */
 DataJson FindingCountsData(const Database& database, PageNames& names) {
   DataJson data =
-      Columns({"family", "oracle", "measure", "law", "verdict", "band", "count"});
-  Statement row(database,
-                "SELECT family, oracle, measure, law, verdict, band, sum(findings.count) "
-                "FROM findings JOIN series USING(series) "
-                "GROUP BY family, oracle, measure, law, verdict, band");
+      Columns({"family", "oracle", "measure", "law", "verdict", "grade", "count"});
+  Statement row(
+      database,
+      "SELECT family, oracle, measure, law, verdict, grade, sum(findings.count) "
+      "FROM findings JOIN series USING(series) "
+      "GROUP BY family, oracle, measure, law, verdict, grade");
   row.Start();
   while (row.Next()) {
     data["family"].push_back(names.families.IndexOf(row.Text(0)));
@@ -165,7 +166,7 @@ DataJson FindingCountsData(const Database& database, PageNames& names) {
     data["measure"].push_back(names.measures.IndexOf(row.Text(2)));
     data["law"].push_back(names.laws.IndexOf(row.Text(3)));
     data["verdict"].push_back(names.verdicts.IndexOf(row.Text(4)));
-    data["band"].push_back(names.bands.IndexOf(row.Text(5)));
+    data["grade"].push_back(names.grades.IndexOf(row.Text(5)));
     data["count"].push_back(row.Integer(6));
   }
   return data;
@@ -286,14 +287,14 @@ void PushFinding(const Asked& asked, const Statement& row, PageNames& names,
 DataJson FailuresData(const Opened& sweep, const Places& places,
                       const std::set<KnownKind>& known, PageNames& names) {
   DataJson data = Columns({"question", "family", "pair", "oracle", "measure", "law",
-                           "verdict", "band", "value", "share", "proof", "is_new"});
+                           "verdict", "grade", "value", "share", "proof", "is_new"});
   Statement row(sweep.database, kFailures);
   row.Start();
   while (row.Next()) {
     const std::optional<Asked> asked = AskedOf(row, 9, sweep, places);
     if (!asked) continue;
     PushFinding(*asked, row, names, data);
-    data["band"].push_back(names.bands.IndexOf(row.Text(4)));
+    data["grade"].push_back(names.grades.IndexOf(row.Text(4)));
     data["value"].push_back(ToData(row.Real(6), kDigits));
     data["share"].push_back(ToShare(row.Real(7)));
     data["proof"].push_back(row.Text(8));
@@ -304,14 +305,16 @@ DataJson FailuresData(const Opened& sweep, const Places& places,
 }
 
 DataJson WorstData(const Opened& sweep, const Places& places, PageNames& names) {
-  DataJson data = Columns({"question", "family", "pair", "oracle", "measure", "law",
-                           "verdict", "value", "tolerance", "tolerances", "share"});
+  DataJson data =
+      Columns({"question", "family", "pair", "oracle", "measure", "law", "verdict",
+               "grade", "value", "tolerance", "tolerances", "share"});
   Statement row(sweep.database, kWorst);
   row.Start();
   while (row.Next()) {
     const std::optional<Asked> asked = AskedOf(row, 8, sweep, places);
     if (!asked) continue;
     PushFinding(*asked, row, names, data);
+    data["grade"].push_back(names.grades.IndexOf(row.Text(11)));
     data["value"].push_back(ToData(row.Real(4), kDigits));
     data["tolerance"].push_back(ToData(row.Real(5), kDigits));
     data["tolerances"].push_back(ToData(row.Real(6), kDigits));
@@ -347,7 +350,7 @@ DataJson SweepData(const Opened& sweep, const std::set<KnownKind>& known,
   data["names"] = {{"oracle", names.oracles.all()}, {"family", names.families.all()},
                    {"pair", names.pairs.all()},     {"measure", names.measures.all()},
                    {"law", names.laws.all()},       {"verdict", names.verdicts.all()},
-                   {"band", names.bands.all()}};
+                   {"grade", names.grades.all()}};
   return data;
 }
 

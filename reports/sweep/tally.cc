@@ -1,7 +1,6 @@
 #include "reports/sweep/tally.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace touchstone {
 namespace {
@@ -64,14 +63,11 @@ void Insert(FailedQuestion failure, std::vector<FailedQuestion>& failures) {
 }
 
 const FailedQuestion* GravestFailure(const OracleTally& tally) {
-  const auto gravity = [](const FindingKind& kind) {
-    return std::tuple(!kind.ending.empty(), kind.band);
-  };
   const FailedQuestion* gravest = nullptr;
   for (const auto& [kind, failures] : tally.failures) {
     const FailedQuestion& of_kind = failures.front();
-    if (gravest == nullptr || gravity(kind) > gravity(gravest->kind) ||
-        (gravity(kind) == gravity(gravest->kind) &&
+    if (gravest == nullptr || kind.grade > gravest->kind.grade ||
+        (kind.grade == gravest->kind.grade &&
          IsGraver(of_kind.share, of_kind.question, gravest->share, gravest->question))) {
       gravest = &of_kind;
     }

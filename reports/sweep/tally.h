@@ -24,7 +24,7 @@ struct Measurand {
 struct FindingKind {
   MeasureKind measure;
   Verdict verdict;
-  Grade band;
+  Grade grade;
   Cause cause;
   std::string law = {};     ///< Same as Finding::law.
   std::string ending = {};  ///< EndingOf() the finding.
@@ -45,6 +45,7 @@ struct WorstFinding {
   double tolerances;       ///< Value as a multiple of the tolerance. [-]
   double share;            ///< The value over the size of the question. [-]
   Verdict verdict;
+  Grade grade;
 
   bool operator==(const WorstFinding&) const = default;
 };
@@ -108,9 +109,8 @@ bool IsKept(std::uint64_t question, double share,
 /** Inserts `failure` into the failures of its kind. */
 void Insert(FailedQuestion failure, std::vector<FailedQuestion>& failures);
 
-/** Returns the gravest kept failure: a missing or invalid answer, else that of the
- gravest band and in it of the largest share; of equal ones the first. Null if none
- failed. */
+/** Returns the kept failure of the gravest grade and in it of the largest share; of equal
+ ones the first. Null if none failed. */
 const FailedQuestion* GravestFailure(const OracleTally& tally);
 
 /** Returns the number of answers that fail. */

@@ -126,16 +126,16 @@ std::vector<std::string> FailuresOf(const Specimen& specimen) {
   return failures;
 }
 
-/** Returns the band of the gravest symptom, which is the first. */
-Band BandOf(const Specimen& specimen) {
-  const std::map<Band, std::uint64_t>& bands = specimen.symptoms.front().bands;
-  return bands.empty() ? Band::kNone : bands.rbegin()->first;
+/** Returns the grade of the gravest symptom, which is the first. */
+Grade GradeOf(const Specimen& specimen) {
+  const std::map<Grade, std::uint64_t>& grades = specimen.symptoms.front().grades;
+  return grades.empty() ? Grade::kNone : grades.rbegin()->first;
 }
 
 /** Makes `joined` stand for the symptoms of `other`, too, and takes the plainer question
- of those of the gravest band. */
+ of those of the gravest grade. */
 void Join(Specimen other, Specimen& joined) {
-  const bool is_plainer = BandOf(other) == BandOf(joined) &&
+  const bool is_plainer = GradeOf(other) == GradeOf(joined) &&
                           PlainnessOf(other.question) < PlainnessOf(joined.question);
   std::vector<Symptom> symptoms = std::move(joined.symptoms);
   std::ranges::move(other.symptoms, std::back_inserter(symptoms));
@@ -149,7 +149,7 @@ void Join(Specimen other, Specimen& joined) {
 /** Completes a root from its specimens. */
 void Sum(Root& root, std::span<const Asked> asked,
          std::span<const Oracle* const> oracles) {
-  std::map<Band, std::uint64_t> bands;  // Answers by the band of their fault.
+  std::map<Grade, std::uint64_t> grades;  // Answers by the grade of their fault.
   std::ranges::stable_sort(root.specimens, std::less{}, [](const Specimen& specimen) {
     return PlainnessOf(specimen.question);
   });
@@ -170,10 +170,10 @@ void Sum(Root& root, std::span<const Asked> asked,
         if (!is_own) root.in_variants += failed;
       }
       if (!is_own) continue;
-      for (const auto& [band, failed] : symptom.bands) bands[band] += failed;
+      for (const auto& [grade, failed] : symptom.grades) grades[grade] += failed;
     }
     // Where only variants show it, that of the question which is shown.
-    bands.try_emplace(BandOf(specimen.finding.grade, EndingOf(specimen.finding)), 0);
+    grades.try_emplace(specimen.finding.grade, 0);
   }
   const std::vector<std::string> shown_by = OraclesOf(root);
   for (const Asked& row : asked) {
@@ -186,10 +186,10 @@ void Sum(Root& root, std::span<const Asked> asked,
       root.rates[{row.oracle, row.what}].asked += row.count;
   }
   for (const auto& [of, rate] : root.rates) root.rate += rate;
-  root.band = bands.rbegin()->first;
-  root.gravest = {bands.rbegin()->second, root.rate.asked};
+  root.grade = grades.rbegin()->first;
+  root.gravest = {grades.rbegin()->second, root.rate.asked};
   const Rate least_seen{std::max<std::uint64_t>(root.gravest.failed, 1), root.rate.asked};
-  root.gravity = static_cast<int>(root.band) + 0.5 * std::log10(ShareOf(least_seen));
+  root.rank = static_cast<int>(root.grade) + 0.5 * std::log10(ShareOf(least_seen));
 }
 
 }  // namespace
@@ -251,8 +251,7 @@ std::vector<Root> RootsOf(std::vector<Specimen> specimens, std::span<const Asked
     sorted.push_back(std::move(root));
   }
   std::ranges::stable_sort(sorted, [](const Root& a, const Root& b) {
-    return std::pair(!IsOfASetting(a), a.gravity) >
-           std::pair(!IsOfASetting(b), b.gravity);
+    return std::pair(!IsOfASetting(a), a.rank) > std::pair(!IsOfASetting(b), b.rank);
   });
   return sorted;
 }

@@ -37,7 +37,7 @@ bool MayShow(const RootKey& root, const AskedPair& pair, const OracleInfo& oracl
 RootKey KeyOf(const Specimen& specimen);
 
 /** Returns specimens of the same key as one, which then stands for the symptoms of all:
- that of the plainest question in the band of the gravest symptom. Its `failures` are the
+ that of the plainest question in the grade of the gravest symptom. Its `failures` are the
  words of all. Keeps the order, and those that are not repeatable. */
 std::vector<Specimen> Joined(std::vector<Specimen> specimens);
 
@@ -56,11 +56,11 @@ struct Root {
   /** Answers with a variant that failed, at least one of them by this root, and that are
    not in `rate`. */
   std::uint64_t in_variants = 0;
-  Band band = Band::kNone;  ///< The gravest that was found.
-  Rate gravest;             ///< That of `band` alone.
-  /** The rank: the number of the band plus ½ log10 of the rate of that band. A step of
-   one band counts as much as a rate a hundred times as high. [-] */
-  double gravity = 0;
+  Grade grade = Grade::kNone;  ///< The gravest that was found.
+  Rate gravest;                ///< That of `grade` alone.
+  /** The number of the grade plus ½ log10 of the rate of that grade. A step
+   of one grade counts as much as a rate a hundred times as high. [-] */
+  double rank = 0;
 
   const Specimen& smallest() const { return specimens.front(); }
 };
@@ -69,8 +69,8 @@ struct Root {
  setting of the adapter is at fault, or decides at least. */
 bool IsOfASetting(const Root& root);
 
-/** Returns the roots of the repeatable specimens, those of most gravity first; those that
- are of a setting come last.
+/** Returns the roots of the repeatable specimens, those of the highest rank first; those
+ that are of a setting come last.
  @param asked Same as Failures::asked.
  @param oracles Include all of `asked`. */
 std::vector<Root> RootsOf(std::vector<Specimen> specimens, std::span<const Asked> asked,

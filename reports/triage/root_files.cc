@@ -149,12 +149,12 @@ std::string RatePart(const Root& root) {
   }
   if (others.asked > 0)
     table += fmt::format("| all | the others | {} |\n", ToString(others));
-  std::string of_bands;
+  std::string of_grades;
   if (root.gravest.failed == 0 && root.rate.failed > 0) {
-    of_bands = " All of these are milder than the case above.";
+    of_grades = " All of these are milder than the case above.";
   } else if (root.gravest.failed < root.rate.failed) {
-    of_bands = fmt::format(" Of these {} are {}; the others are milder.",
-                           root.gravest.failed, NameOf(root.band));
+    of_grades = fmt::format(" Of these {} are {}; the others are milder.",
+                            root.gravest.failed, NameOf(root.grade));
   }
   const std::string variants =
       root.in_variants == 0
@@ -167,7 +167,7 @@ std::string RatePart(const Root& root) {
   return fmt::format(
       "## How common\n\n{} of {} answers, {:.3g} %, to all questions that may run into "
       "the same code.{}{} Intervals are those of 95 %.\n\n{}\n",
-      root.rate.failed, root.rate.asked, 100 * ShareOf(root.rate), of_bands, variants,
+      root.rate.failed, root.rate.asked, 100 * ShareOf(root.rate), of_grades, variants,
       table);
 }
 

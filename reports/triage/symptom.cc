@@ -15,27 +15,23 @@ namespace {
 /** The greatest number of questions that stay with a symptom. */
 constexpr std::size_t kKept = 4;
 
-Band BandOf(const FindingKind& kind) {
-  return BandOf(kind.band, kind.ending);
-}
-
 /** The gravest failure has the largest. */
-std::pair<Band, double> GravityOf(const FailedQuestion& failure) {
-  return {BandOf(failure.kind), failure.share};
+std::pair<Grade, double> GradeAndShareOf(const FailedQuestion& failure) {
+  return {failure.kind.grade, failure.share};
 }
 
-/** Returns `kKept` of `failures`: of the gravest band first, and of one band the
+/** Returns `kKept` of `failures`: of the gravest grade first, and of one grade the
  * plainest.
  */
 std::vector<FailedQuestion> PlainestOf(const std::vector<FailedQuestion>& failures) {
-  using Ranked = std::tuple<Band, std::pair<int, Size>, const FailedQuestion*>;
+  using Ranked = std::tuple<Grade, std::pair<int, Size>, const FailedQuestion*>;
   std::vector<Ranked> ranked;
   ranked.reserve(failures.size());
   for (const FailedQuestion& failure : failures)
-    ranked.emplace_back(BandOf(failure.kind), PlainnessOf(QuestionOf(failure)), &failure);
+    ranked.emplace_back(failure.kind.grade, PlainnessOf(QuestionOf(failure)), &failure);
   std::ranges::stable_sort(ranked, [](const Ranked& a, const Ranked& b) {
-    if (std::get<Band>(a) != std::get<Band>(b))
-      return std::get<Band>(a) > std::get<Band>(b);
+    if (std::get<Grade>(a) != std::get<Grade>(b))
+      return std::get<Grade>(a) > std::get<Grade>(b);
     return std::get<1>(a) < std::get<1>(b);
   });
   std::vector<FailedQuestion> plainest;
@@ -50,32 +46,28 @@ bool IsFault(Verdict verdict) {
   return IsFailure(verdict) && verdict != Verdict::kDisagree;
 }
 
-Band BandOf(Grade grade, const std::string& ending) {
-  return ending.empty() || grade != Grade::kNone ? static_cast<Band>(grade)
-                                                 : Band::kWrong;
-}
-
 std::string PairName(ShapeKind a, ShapeKind b) {
   const auto [first, second] = std::minmax(NameOf(a), NameOf(b));
   return fmt::format("{} and {}", first, second);
 }
 
 std::vector<Symptom> GravestFirst(const Symptoms& symptoms) {
-  std::vector<std::pair<std::pair<Band, double>, Symptom>> by_gravity;
+  std::vector<std::pair<std::pair<Grade, double>, Symptom>> by_size;
   for (const auto& [key, found] : symptoms) {
     if (found.kept.empty()) continue;
-    const FailedQuestion& gravest = *std::ranges::max_element(found.kept, {}, GravityOf);
+    const FailedQuestion& gravest =
+        *std::ranges::max_element(found.kept, {}, GradeAndShareOf);
     Symptom symptom{.key = key,
                     .kept = PlainestOf(found.kept),
                     .failed = found.failed,
-                    .bands = found.bands};
-    by_gravity.emplace_back(GravityOf(gravest), std::move(symptom));
+                    .grades = found.grades};
+    by_size.emplace_back(GradeAndShareOf(gravest), std::move(symptom));
   }
-  std::ranges::stable_sort(by_gravity, std::greater{},
+  std::ranges::stable_sort(by_size, std::greater{},
                            [](const auto& entry) { return entry.first; });
   std::vector<Symptom> sorted;
-  sorted.reserve(by_gravity.size());
-  for (auto& [gravity, symptom] : by_gravity) sorted.push_back(std::move(symptom));
+  sorted.reserve(by_size.size());
+  for (auto& [size, symptom] : by_size) sorted.push_back(std::move(symptom));
   return sorted;
 }
 
@@ -91,7 +83,7 @@ void AddAnswers(const OracleTally& tally, const std::string& oracle,
     if (!IsFault(kind.verdict)) continue;
     Symptom& symptom = symptom_of(kind);
     symptom.failed[what] += count;
-    symptom.bands[BandOf(kind)] += count;
+    symptom.grades[kind.grade] += count;
     failures.failed += count;
   }
   for (const auto& [kind, kept] : tally.failures) {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/clusters/clusters.h"
+#include "reports/finding/finding.h"
 #include "reports/sweep/tally.h"
 #include "scenarios/shape.h"
 
@@ -17,10 +17,6 @@ namespace touchstone {
 /** Returns whether a verdict is a proved fault: an answer that merely differs from those
  of other oracles is none. */
 bool IsFault(Verdict verdict);
-
-/** Returns the band of a fault by its grade; an answer that is missing or of no use,
- which has an ending and no grade, is a wrong one. */
-Band BandOf(Grade grade, const std::string& ending);
 
 /** Returns "box and sphere", whatever the order. */
 std::string PairName(ShapeKind a, ShapeKind b);
@@ -41,19 +37,19 @@ struct Symptom {
     auto operator<=>(const Key&) const = default;
   };
   Key key;
-  /** At most four of those that were kept: of the gravest band first, and of one band the
-   plainest, see PlainnessOf(). */
+  /** At most four of those that were kept: of the gravest grade first, and of one grade
+   the plainest, see PlainnessOf(). */
   std::vector<FailedQuestion> kept;
   /** The number of answers that show it, by Asked::what. */
   std::map<std::string, std::uint64_t> failed;
-  std::map<Band, std::uint64_t> bands;  ///< The same by the size of the fault.
+  std::map<Grade, std::uint64_t> grades;  ///< The same by the grade of the fault.
 };
 
 /** The symptoms found so far. */
 using Symptoms = std::map<Symptom::Key, Symptom>;
 
-/** Returns `symptoms` with their keys, the gravest first: missing answers, then by band
- and by share. Each keeps four questions, see Symptom::kept. Leaves out those without a
+/** Returns `symptoms` with their keys, the gravest first: by grade, then by
+ share. Each keeps four questions, see Symptom::kept. Leaves out those without a
  question.
  @pre The questions can be read. */
 std::vector<Symptom> GravestFirst(const Symptoms& symptoms);

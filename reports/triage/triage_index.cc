@@ -47,7 +47,7 @@ std::string SharesOf(const Root& root) {
 std::string RowOf(std::size_t number, const IndexedRoot& entry) {
   const Root& root = *entry.root;
   return fmt::format("| {} | [{}]({}/REPORT.md) | {} | {} | {} | {} | {}{} | {} |\n",
-                     number, Escaped(TitleOf(root)), entry.folder, NameOf(root.band),
+                     number, Escaped(TitleOf(root)), entry.folder, NameOf(root.grade),
                      SharesOf(root), fmt::join(OraclesOf(root), ", "),
                      CauseOf(root.smallest().finding),
                      entry.is_fresh ? "**new since the baseline**, " : "",
@@ -65,7 +65,7 @@ std::string UnrepeatablePart(const TriageIndex& index) {
   }
   return fmt::format(
       "## Not repeated\n\n{} did not occur again, in up to four questions of the gravest "
-      "band: the answer depends on more than the question.\n\n{}\n",
+      "grade: the answer depends on more than the question.\n\n{}\n",
       Counted(index.unrepeatable.size(), "kind of failure", "kinds of failure"), list);
 }
 
@@ -132,8 +132,8 @@ std::string CountOf(const TriageIndex& index) {
 std::string SummaryOf(const TriageIndex& index) {
   std::string text = CountOf(index) + "\n";
   for (const IndexedRoot& entry : FreshFirst(index)) {
-    text += fmt::format("{:>34}  {:<13}{}{}\n", SharesOf(*entry.root),
-                        NameOf(entry.root->band), entry.is_fresh ? "new: " : "",
+    text += fmt::format("{:>34}  {:<19}{}{}\n", SharesOf(*entry.root),
+                        NameOf(entry.root->grade), entry.is_fresh ? "new: " : "",
                         TitleOf(*entry.root));
   }
   return text;
@@ -145,7 +145,7 @@ std::string IndexPage(const TriageIndex& index) {
   for (std::size_t i = 0; i < sorted.size(); ++i) rows += RowOf(i + 1, sorted[i]);
   return fmt::format(
       "# Root causes of {}\n\nTouchstone {} asked {}.\n\n{} The worst come first: one "
-      "band weighs as much as a hundred times the frequency. Those of a setting of the "
+      "grade weighs as much as a hundred times the frequency. Those of a setting of the "
       "adapter come last.\n\n"
       "| | root cause | gravest | of the answers | oracles | cause | known | program |\n"
       "|---|---|---|---|---|---|---|---|\n{}\n"

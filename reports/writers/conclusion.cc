@@ -87,7 +87,7 @@ std::string AnswersInWords(const RunReport& report) {
 }
 
 std::string ConclusionOf(const RunReport& report, std::span<const Outcome> outcomes,
-                         FailOn fail_on) {
+                         const FailureRule& rule) {
   VerdictCounts counts;
   VerdictCounts of_subject;
   for (const Outcome& outcome : outcomes) {
@@ -106,7 +106,7 @@ std::string ConclusionOf(const RunReport& report, std::span<const Outcome> outco
                         counts[Verdict::kKnown] - of_subject[Verdict::kKnown], "answer"),
         failed.empty() ? "" : fmt::format(" ({})", failed)));
   }
-  const int code = ExitCode(report, fail_on);
+  const int code = ExitCode(report, rule);
   if (code == 1 && of_subject.failed() == 0 && failed_references > 0)
     std::reverse(parts.begin(), parts.end());
   std::string conclusion = fmt::format("{}: {}", Headline(code), fmt::join(parts, "; "));

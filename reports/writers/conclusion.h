@@ -15,6 +15,6 @@ std::string AnswersInWords(const RunReport& report);
 /** Returns the last line of a run, which agrees with its exit code: "OK: cookbook failed
  in 0 scenarios, …". */
 std::string ConclusionOf(const RunReport& report, std::span<const Outcome> outcomes,
-                         FailOn fail_on);
+                         const FailureRule& rule);
 
 }  // namespace touchstone

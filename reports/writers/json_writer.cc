@@ -121,7 +121,7 @@ const char* NameOfStatus(AnswerStatus status) {
   return "crashed";
 }
 
-/** Adds the reason of an undecidable outcome, and the grade of a wrong one. */
+/** Adds the reason of an undecidable outcome, and the grade of a fault. */
 void AddReasons(const Outcome& outcome, Json& json) {
   if (outcome.decisive == nullptr) return;
   if (outcome.verdict == Verdict::kUndecidable)

@@ -237,7 +237,9 @@ std::string FailedReferences(const RunReport& report, std::span<const Outcome> o
 std::string Sentence(const Finding& finding) {
   const std::string_view model = RecognisedModelOf(finding);
   std::string text = fmt::format("{}: {}", finding.oracle, NameOf(finding.verdict));
-  if (finding.grade != Grade::kNone) text += fmt::format(", {}", NameOf(finding.grade));
+  // The verdict says that there is no usable answer.
+  if (finding.grade != Grade::kNone && finding.grade != Grade::kUnusable)
+    text += fmt::format(", {}", NameOf(finding.grade));
   if (finding.verdict == Verdict::kUndecidable) {
     text +=
         fmt::format(", {}, in {}", NameOf(finding.undecided), NameOf(finding.measure));

@@ -40,9 +40,6 @@ class VerdictCounts {
   std::array<int, kUndecided> undecided_{};
 };
 
-/** Returns whether `verdict` fails a run. */
-bool IsFailure(Verdict verdict);
-
 /** The result of one oracle in one scenario: the sum of its findings. */
 struct Outcome {
   std::size_t scenario;               ///< Index of the question, see IdOf(report, i).

@@ -1,5 +1,6 @@
 #include "reports/writers/report_data.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -76,7 +77,8 @@ std::string PairOf(const ContactQuery& query) {
   return pair;
 }
 
-DataJson ClusterData(const RunReport& report, const Cluster& cluster) {
+DataJson ClusterData(const RunReport& report, const Cluster& cluster,
+                     const FailureRule& rule) {
   DataJson data;
   data["title"] = cluster.title;
   data["extent"] = ExtentOf(report, cluster);
@@ -84,7 +86,10 @@ DataJson ClusterData(const RunReport& report, const Cluster& cluster) {
   data["upstream"] = cluster.upstream;
   data["is_new"] = cluster.is_new;
   data["has_outgrown"] = cluster.has_outgrown;
-  data["grade"] = static_cast<int>(cluster.band);
+  data["counts"] = std::ranges::any_of(cluster.findings, [&](std::size_t f) {
+    return CountsAsFailure(report.findings[f], report, rule);
+  });
+  data["grade"] = static_cast<int>(cluster.grade);
   data["cause"] = static_cast<int>(cluster.cause);
   data["responsible"] = NameOf(cluster.responsible);
   data["oracles"] = cluster.oracles;
@@ -202,10 +207,9 @@ std::string ReportData(const RunReport& report, const RunFacts& facts) {
   data["program"] = facts.program;
   data["command"] = facts.command;
   data["sentence"] = AnswersInWords(report);
-  data["conclusion"] = ConclusionOf(report, outcomes, facts.fail_on);
-  data["exit_code"] = ExitCode(report, facts.fail_on);
+  data["conclusion"] = ConclusionOf(report, outcomes, facts.rule);
+  data["exit_code"] = ExitCode(report, facts.rule);
   data["failed"] = data["exit_code"] != 0;
-  data["only_subject"] = facts.fail_on == FailOn::kSubject;
   data["subject"] = 0;
   data["oracles"] = DataJson::array();
   for (const OracleInfo& oracle : report.oracles)
@@ -223,7 +227,7 @@ std::string ReportData(const RunReport& report, const RunFacts& facts) {
   data["studies"] = StudiesData(report.findings);
   data["clusters"] = DataJson::array();
   for (const Cluster& cluster : clusters.ranked)
-    data["clusters"].push_back(ClusterData(report, cluster));
+    data["clusters"].push_back(ClusterData(report, cluster, facts.rule));
   data["ledger"] = DataJson::array();
   for (std::size_t i = 0; i < report.ledger.entries.size(); ++i)
     data["ledger"].push_back(LedgerData(report.ledger.entries[i], report.ledger_use[i]));

@@ -12,7 +12,7 @@ namespace touchstone {
 struct RunFacts {
   std::string program;  ///< "touchstone 0.1.0".
   std::string command;  ///< The command that made the run, without its output.
-  FailOn fail_on = FailOn::kAnything;
+  FailureRule rule = {};
   /** Ids of questions that only their files ask: a command cannot name them by their ids.
    */
   std::set<std::string, std::less<>> own = {};

@@ -121,11 +121,13 @@ std::size_t WidthWithin(const TableStyle& style) {
 
 void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
                    const TableStyle& style, const Painter& paint, std::ostream& out) {
-  const bool only_subject = style.quiet && style.fail_on == FailOn::kSubject;
+  const auto counts = [&](const Finding& finding) {
+    return CountsAsFailure(finding, report, style.rule);
+  };
   std::size_t last = QuestionCount(report);
   for (const Outcome& outcome : outcomes) {
     if (!IsFailure(outcome.verdict)) continue;
-    if (only_subject && report.oracles[outcome.oracle].name != report.subject) continue;
+    if (style.quiet && std::ranges::none_of(outcome.findings, counts)) continue;
     if (outcome.scenario != last) {
       last = outcome.scenario;
       out << '\n'
@@ -158,7 +160,7 @@ void WriteRegressions(const RunReport& report, const TableStyle& style,
                       const Painter& paint, std::ostream& out) {
   bool first = true;
   for (const Regression& regression : report.regressions) {
-    if (style.fail_on == FailOn::kSubject && regression.oracle != report.subject)
+    if (style.rule.whose == FailOn::kSubject && regression.oracle != report.subject)
       continue;
     if (first) out << '\n' << paint(Colour::kBold, "Worse than in the baseline") << '\n';
     first = false;
@@ -186,17 +188,17 @@ void WriteVoidEntries(const RunReport& report, const Painter& paint, std::ostrea
   }
 }
 
-/** Returns the colour of a band. */
-Colour ColourOf(Band band) {
-  if (band >= Band::kGross) return Colour::kBad;
-  return band >= Band::kSmall ? Colour::kKnown : Colour::kDim;
+/** Returns the colour of a grade. */
+Colour ColourOf(Grade grade) {
+  if (grade >= Grade::kGross) return Colour::kBad;
+  return grade >= Grade::kSmall ? Colour::kKnown : Colour::kDim;
 }
 
 /** Writes the gravest clusters, and who was never wrong. */
 void WriteClusters(const RunReport& report, std::span<const Outcome> outcomes,
                    const TableStyle& style, const Painter& paint, std::ostream& out) {
   constexpr std::size_t kMost = 10;
-  constexpr std::size_t kIndent = 16;
+  constexpr std::size_t kIndent = 20;
   const std::vector<Cluster> clusters = ClustersOf(report).ranked;
   if (clusters.empty()) return;
   const auto is_new = std::ranges::count(clusters, true, &Cluster::is_new);
@@ -215,7 +217,7 @@ void WriteClusters(const RunReport& report, std::span<const Outcome> outcomes,
     const std::string sentence =
         fmt::format("{}{} {}", status, cluster.title, ExtentOf(report, cluster));
     out << "  "
-        << paint(ColourOf(cluster.band), fmt::format("{:<14}", NameOf(cluster.band)))
+        << paint(ColourOf(cluster.grade), fmt::format("{:<18}", NameOf(cluster.grade)))
         << Wrapped(std::string(kIndent, ' ') + sentence, style.width, kIndent)
                .substr(kIndent)
         << '\n';
@@ -383,15 +385,22 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
         "as shipped only: {} of the passes fail with the engine's own "
         "settings; --as-shipped judges those\n",
         shipped_only);
-  const int code = ExitCode(report, style.fail_on);
+  const int code = ExitCode(report, style.rule);
   out << paint(code == 0 ? Colour::kGood : Colour::kBad,
-               ConclusionOf(report, outcomes, style.fail_on))
+               ConclusionOf(report, outcomes, style.rule))
       << '\n';
   if (code == 2) {
     out << WhyNotExamined(report, outcomes) << "; --subject selects another oracle\n";
-  } else if (code == 1 && ExitCode(report, FailOn::kSubject) == 0) {
+  } else if (code == 1 && ExitCode(report, {FailOn::kSubject, style.rule.above}) == 0) {
     out << fmt::format("--fail-on subject counts only the failures of {}\n",
                        report.subject);
+  } else if (code == 0 && style.rule.whose == FailOn::kFaults &&
+             ExitCode(report, {FailOn::kAnything, style.rule.above}) == 1) {
+    out << "failures of references that are rounding, up to 1e-6 of the size, do not "
+           "count; --fail-on anything counts them\n";
+  } else if (code == 0 && ExitCode(report, {style.rule.whose}) == 1) {
+    out << fmt::format("--fail-above: no failure that counts is graver than '{}'\n",
+                       NameOf(style.rule.above));
   }
 }
 

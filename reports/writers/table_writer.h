@@ -13,7 +13,7 @@ struct TableStyle {
   bool quiet = false;     ///< Only the failures that count and the last line.
   std::size_t width = 0;  ///< Characters of a line of the terminal; 0: wraps nothing.
   /** Failures that count. The last line agrees with the exit code. */
-  FailOn fail_on = FailOn::kAnything;
+  FailureRule rule = {};
 };
 
 /** Writes `report` for a terminal: a row of counts and the worst measure relative to its

@@ -82,7 +82,7 @@ list(APPEND own_rules
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|sweep/question_id[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry|protocol/(command|external_oracle|oracles_file))[.]h|scenarios/"
   # The only files that call a cluster; they know nothing of sweeps.
   "cli/slurm/ => cli/(input_error|shell)[.]h|reports/text/shell_quoted[.]h"
-  "cli/commands/ => cli/|oracles/protocol/(command|external_oracle|serve)[.]h|reports/(accuracy|adapter_check|baseline|bench|journal|ledger|referee|reproduce|shrink|sweep|text|threads|triage|writers)/|scenarios/"
+  "cli/commands/ => cli/|oracles/protocol/(command|external_oracle|serve)[.]h|reports/(accuracy|adapter_check|baseline|bench|finding|journal|ledger|referee|reproduce|shrink|sweep|text|threads|triage|writers)/|scenarios/"
   # The command line is the only file that knows the commands.
   "cli/command_line[.]cc => cli/|reports/(bench/scene|worlds/study/check_claims)[.]h|scenarios/schema/")
 

@@ -170,6 +170,18 @@ TEST_F(CommandLineTest, CountsAReferencesFailureUnlessOnlyTheSubjectsCount) {
   EXPECT_EQ(Touchstone(run + " --fail-on subject").code, 0);
 }
 
+TEST_F(CommandLineTest, CountsFailuresAboveAGradeOnly) {
+  const std::string run = "run --subject half_depth " + Path("mine/deep.toml");
+  EXPECT_EQ(Touchstone(run + " --fail-above 1e-3").code, 1);
+  const Ended ended = Touchstone(run + " --fail-above 0.1");
+  EXPECT_EQ(ended.code, 1) << "thrower";
+  const Ended alone = Touchstone(run + " --against right --fail-above 0.1");
+  EXPECT_EQ(alone.code, 0) << alone.out << alone.err;
+  EXPECT_THAT(alone.out,
+              HasSubstr("--fail-above: no failure that counts is graver than 'over "
+                        "0.001'\n"));
+}
+
 TEST_F(CommandLineTest, ReportsAnExceptionOfAFunctionAndContinues) {
   const Ended ended = Touchstone("run --subject thrower " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 1);
@@ -523,7 +535,7 @@ TEST_F(CommandLineTest, ExplainsWhichOraclesAreRightAndShowsTheFileOnRequest) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out,
               AllOf(Not(HasSubstr("[bodies.ball]")), HasSubstr("Right: right\n"),
-                    HasSubstr("Wrong: half_depth (over 0.001), thrower\n")));
+                    HasSubstr("Wrong: half_depth (over 0.001), thrower (unusable)\n")));
   EXPECT_THAT(Touchstone(explain + " --all").out, HasSubstr("[bodies.ball]"));
 }
 
@@ -555,8 +567,9 @@ TEST_F(CommandLineTest, AnswersAQuestionFromTheCommandLine) {
   const Ended ended =
       Touchstone("ask --A 'sphere 0.5 @ 0.3 -0.2 0.7' --B 'sphere 0.5 @ 0.9 -0.5 1.3'");
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out,
-              HasSubstr("Right: right\nWrong: half_depth (over 0.001), thrower\n"));
+  EXPECT_THAT(
+      ended.out,
+      HasSubstr("Right: right\nWrong: half_depth (over 0.001), thrower (unusable)\n"));
 }
 
 TEST_F(CommandLineTest, AnswersTheQuestionsThatItsHelpShows) {
@@ -681,12 +694,12 @@ TEST_F(CommandLineTest, SweepsSeveralSubjectsAndClustersTheirFailures) {
   EXPECT_THAT(ended.out, Not(HasSubstr("drifter")));
 }
 
-TEST_F(CommandLineTest, FailsASweepOnFailuresOfABandOrMore) {
+TEST_F(CommandLineTest, FailsASweepOnFailuresAboveAGrade) {
   const std::string sweep =
       "sweep contact --family random --pair sphere sphere --count 50 --quiet --subject ";
-  EXPECT_EQ(Touchstone(sweep + "half_depth --fail-on 1e-3").code, 1);
-  EXPECT_EQ(Touchstone(sweep + "half_depth --fail-on touching").code, 0);
-  EXPECT_EQ(Touchstone(sweep + "thrower --fail-on touching").code, 1);
+  EXPECT_EQ(Touchstone(sweep + "half_depth --fail-above 1e-3").code, 1);
+  EXPECT_EQ(Touchstone(sweep + "half_depth --fail-above touching").code, 0);
+  EXPECT_EQ(Touchstone(sweep + "thrower --fail-above touching").code, 1);
 }
 
 TEST_F(CommandLineTest, ResumesASweepAndMergesItsShards) {
@@ -1229,7 +1242,7 @@ TEST_F(CommandLineTest, StatesTheValueThatAnOptionExpects) {
   EXPECT_THAT(error("sweep contact --seed 99999999999999999999"),
               HasSubstr("expected at most 18446744073709551615"));
   EXPECT_THAT(error("run --fail-on cookbook"),
-              HasSubstr("--fail-on: 'cookbook'; expected subject or anything"));
+              HasSubstr("--fail-on: 'cookbook'; expected subject or faults or anything"));
   EXPECT_THAT(error("sweep contct"), HasSubstr("(did you mean contact?)"));
   EXPECT_THAT(error("sweep contact --shard 3/2"), HasSubstr("expected K/N with 1 <= K"));
   EXPECT_THAT(error("sweep contact --time 10"), HasSubstr("'10'; expected a duration"));

@@ -117,7 +117,7 @@ TEST(Run, RaisesNoFalseAlarmOnARightOracle) {
   const RunReport report = RunAll(scenarios, {&right});
   EXPECT_THAT(ProofsOfFailures(report), IsEmpty());
   EXPECT_THAT(report.faults, IsEmpty());
-  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
+  EXPECT_EQ(ExitCode(report, {.whose = FailOn::kAnything}), 0);
   // The sweep contains both touching and separated bodies.
   const auto touching = std::count_if(
       report.scenarios.begin(), report.scenarios.end(), [](const ScenarioResult& result) {
@@ -152,7 +152,7 @@ TEST(Run, DoesNotDependOnTheNumberOfJobs) {
   const RunReport serial = RunAll(scenarios, {&right, &wrong}, {}, one);
   const RunReport parallel = RunAll(scenarios, {&right, &wrong}, {}, many);
   EXPECT_EQ(Digest(serial), Digest(parallel));
-  EXPECT_NE(ExitCode(serial, FailOn::kAnything), 0);
+  EXPECT_NE(ExitCode(serial, {.whose = FailOn::kAnything}), 0);
 }
 
 TEST(Run, AddsUpTheSecondsOfContactQueriesByKind) {
@@ -218,15 +218,15 @@ TEST(Run, AsksNoQuestionThatAnOracleDoesNotSupport) {
   ASSERT_EQ(report.findings.size(), 1U);
   EXPECT_EQ(report.findings[0].verdict, Verdict::kUnsupported);
   EXPECT_EQ(report.findings[0].proof, "none: no such pair.");
-  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 2);
+  EXPECT_EQ(ExitCode(report, {.whose = FailOn::kAnything}), 2);
   // A wrong reference does not make the subject examined either.
   const FakeOracle wrong = FakeOracle::Wrong(
       "wrong",
       [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
   const RunReport beside =
       RunAll({ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)}, {&none, &wrong});
-  EXPECT_EQ(ExitCode(beside, FailOn::kAnything), 2);
-  EXPECT_EQ(ExitCode(beside, FailOn::kSubject), 2);
+  EXPECT_EQ(ExitCode(beside, {.whose = FailOn::kAnything}), 2);
+  EXPECT_EQ(ExitCode(beside, {.whose = FailOn::kSubject}), 2);
 }
 
 /** An isolated oracle that records the batches of its questions, by the x of B. */
@@ -288,7 +288,7 @@ TEST(Run, OfOneThreadPutsAllQuestionsToAnIsolatedOracleAtOnce) {
 
 TEST(ExitCode, IsTwoWhenNothingWasAsked) {
   const FakeOracle right("right");
-  EXPECT_EQ(ExitCode(RunAll({}, {&right}), FailOn::kAnything), 2);
+  EXPECT_EQ(ExitCode(RunAll({}, {&right}), {.whose = FailOn::kAnything}), 2);
 }
 
 TEST(ExitCode, IsTwoWhereOnlyVariantsAgreeAndAClaimIsUnverified) {
@@ -299,16 +299,16 @@ TEST(ExitCode, IsTwoWhereOnlyVariantsAgreeAndAClaimIsUnverified) {
   variant.oracle = "right";
   variant.measure = MeasureKind::kTranslation;
   report.findings = {variant};
-  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
+  EXPECT_EQ(ExitCode(report, {.whose = FailOn::kAnything}), 0);
   Finding unverified = variant;
   unverified.reference = "law";
   unverified.verdict = Verdict::kUnsupported;
   report.findings.push_back(unverified);
-  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 2);
+  EXPECT_EQ(ExitCode(report, {.whose = FailOn::kAnything}), 2);
   Finding held = unverified;
   held.verdict = Verdict::kPass;
   report.findings.push_back(held);
-  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
+  EXPECT_EQ(ExitCode(report, {.whose = FailOn::kAnything}), 0);
 }
 
 TEST(ExitCode, CountsTheReferencesOnlyOnRequest) {
@@ -318,9 +318,40 @@ TEST(ExitCode, CountsTheReferencesOnlyOnRequest) {
       [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
   const std::vector<Scenario> scenarios = {
       ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)};
-  EXPECT_EQ(ExitCode(RunAll(scenarios, {&right, &wrong}), FailOn::kSubject), 0);
-  EXPECT_EQ(ExitCode(RunAll(scenarios, {&right, &wrong}), FailOn::kAnything), 1);
-  EXPECT_EQ(ExitCode(RunAll(scenarios, {&wrong, &right}), FailOn::kSubject), 1);
+  EXPECT_EQ(ExitCode(RunAll(scenarios, {&right, &wrong}), {.whose = FailOn::kSubject}),
+            0);
+  EXPECT_EQ(ExitCode(RunAll(scenarios, {&right, &wrong}), {.whose = FailOn::kAnything}),
+            1);
+  EXPECT_EQ(ExitCode(RunAll(scenarios, {&wrong, &right}), {.whose = FailOn::kSubject}),
+            1);
+}
+
+// Another engine's last digits must not fail a user's run.
+TEST(ExitCode, LeavesOutReferencesThatAreWrongByARounding) {
+  const FakeOracle right("right");
+  const FakeOracle inexact = FakeOracle::Wrong(
+      "inexact",
+      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation += 1e-9; });
+  const std::vector<Scenario> scenarios = {
+      ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)};
+  const RunReport as_reference = RunAll(scenarios, {&right, &inexact});
+  EXPECT_EQ(ExitCode(as_reference, {}), 0);
+  EXPECT_EQ(ExitCode(as_reference, {.whose = FailOn::kAnything}), 1);
+  EXPECT_EQ(ExitCode(RunAll(scenarios, {&inexact, &right}), {}), 1);
+}
+
+TEST(ExitCode, IsOfFailuresAboveAGrade) {
+  const FakeOracle right("right");
+  const FakeOracle wrong = FakeOracle::Wrong(
+      "wrong",
+      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation += 1e-4; });
+  const std::vector<Scenario> scenarios = {
+      ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)};
+  for (const RunReport& report :
+       {RunAll(scenarios, {&right, &wrong}), RunAll(scenarios, {&wrong, &right})}) {
+    EXPECT_EQ(ExitCode(report, {.above = Grade::kRounding}), 1);
+    EXPECT_EQ(ExitCode(report, {.above = Grade::kSmall}), 0);
+  }
 }
 
 /** Returns the radius of the sphere of a question. [m] */
@@ -471,7 +502,7 @@ TEST(CheckCatalogue, RequiresIndictmentsToBeReproduced) {
   EXPECT_THAT(found.faults[0],
               HasSubstr("wrong no longer shows \"the depth is halved\", but "
                         "separation_error still finds it: wrong says 0.0005 m deep"));
-  EXPECT_EQ(ExitCode(Indicting(right, true), FailOn::kSubject), 1);
+  EXPECT_EQ(ExitCode(Indicting(right, true), {.whose = FailOn::kSubject}), 1);
 }
 
 TEST(CheckCatalogue, CountsOnlyTheIndictedMeasure) {

@@ -1,16 +1,17 @@
 import type { Report } from "./data";
 
-/** How bad a finding is, the gravest first. */
-export const bands = ["crash", "grave", "large", "small", "rounding", "undecidable", "passed", "unasked"] as const;
+/** How bad a finding is, the gravest first: the grades of a fault (`enum class Grade`), then what is none. */
+export const bands = ["crash", "touch", "grave", "large", "small", "rounding", "undecidable", "passed", "unasked"] as const;
 export type Band = (typeof bands)[number];
 
 export interface BandText { name: string; glyph: string; meaning: string }
 
 export const bandTexts: Record<Band, BandText> = {
-  crash: { name: "unusable", glyph: "✖", meaning: "no usable answer: a crash, a hang, a number that is not finite, or a contact that contradicts itself" },
-  grave: { name: "grave", glyph: "◆", meaning: "wrong by over 10 % of the size, or a wrong hit or miss beyond rounding" },
-  large: { name: "large", glyph: "▲", meaning: "wrong by over 0.1 % of the size" },
-  small: { name: "small", glyph: "●", meaning: "wrong by over one millionth of the size" },
+  crash: { name: "unusable", glyph: "✖", meaning: "a crash, a hang, a number that is not finite, or a contact that contradicts itself" },
+  touch: { name: "wrong hit or miss", glyph: "◈", meaning: "bodies that touch called apart or the reverse, beyond rounding, or a body that passes through another" },
+  grave: { name: "over 10 %", glyph: "◆", meaning: "wrong by over 10 % of the size" },
+  large: { name: "over 0.001", glyph: "▲", meaning: "wrong by over 0.1 % of the size" },
+  small: { name: "over 1e-6", glyph: "●", meaning: "wrong by over one millionth of the size" },
   rounding: { name: "rounding", glyph: "◦", meaning: "wrong by at most one millionth of the size, a hit that is missed by that little included" },
   undecidable: { name: "undecidable", glyph: "?", meaning: "no answer can be proved right or wrong" },
   passed: { name: "passed", glyph: "✓", meaning: "within the derived tolerance of the truth" },
@@ -21,19 +22,18 @@ export const bandTexts: Record<Band, BandText> = {
 export const sizeMeaning = "The size of a length is the extent of the smaller body of a contact question, or of the smallest moving body of a world. A speed (m/s) is compared with V, the greatest speed of its motion or what its load gives a body over its size; an energy (J) with ½ M V², M all that moves; a momentum (N s) with M V; an angular momentum (N m s) with M V × the size; a spin with V / the size; angles (rad) with one radian; numbers without a unit with one.";
 
 /** The bands of faults. */
-export const faultBands: readonly Band[] = ["crash", "grave", "large", "small", "rounding"];
+export const faultBands: readonly Band[] = ["crash", "touch", "grave", "large", "small", "rounding"];
 
-const bandOfVerdict: Record<string, Band> = {
-  pass: "passed", undecidable: "undecidable", unsupported: "unasked", "not asked": "unasked",
-  crashed: "crash", "timed out": "crash", invalid: "crash",
-};
+/** The bands of verdicts that are no fault. */
+const bandOfVerdict: Record<string, Band> = { pass: "passed", undecidable: "undecidable", unsupported: "unasked", "not asked": "unasked" };
 
-/** The band of a grade, in the order of `enum class Grade`; none for grade 0, a fault without a size. */
-const bandOfGrade: (Band | undefined)[] = [undefined, "rounding", "small", "large", "grave", "grave"];
+/** The band of a grade, in the order of `enum class Grade`. */
+const bandOfGrade: Band[] = ["rounding", "rounding", "small", "large", "grave", "touch", "crash"];
 
-const bandOfShare = (share: number): Band => share > 0.1 ? "grave" : share > 1e-3 ? "large" : share > 1e-6 ? "small" : "rounding";
+export const bandOf = (verdict: string, grade: number): Band => bandOfVerdict[verdict] ?? bandOfGrade[grade] ?? "crash";
 
-export const bandOf = (verdict: string, grade: number, share: number): Band => bandOfVerdict[verdict] ?? bandOfGrade[grade] ?? bandOfShare(Math.abs(share));
+/** The same, by the name of the grade. */
+export const bandOfNamed = (verdict: string, grade: string): Band => bandOfVerdict[verdict] ?? faultBands.find((band) => bandTexts[band].name === grade) ?? "crash";
 
 /** The verdict of a finding without the ledger: a crash that an entry excuses is one. */
 export function verdictBefore({ findings, names, ledger }: Report, finding: number): string {
@@ -42,7 +42,6 @@ export function verdictBefore({ findings, names, ledger }: Report, finding: numb
 }
 
 /** The band of each finding, as an index into `bands`. */
-export function findBands(report: Report): Uint8Array {
-  const { verdict, grade, share } = report.findings;
-  return Uint8Array.from(verdict, (_, i) => bands.indexOf(bandOf(verdictBefore(report, i), grade[i], share[i] ?? 0)));
+export function findBands({ findings: { verdict, grade }, names }: Report): Uint8Array {
+  return Uint8Array.from(verdict, (v, i) => bands.indexOf(bandOf(names.verdict[v] ?? "", grade[i])));
 }

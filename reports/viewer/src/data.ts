@@ -24,7 +24,6 @@ export interface Report {
   conclusion: string;   // the last line of the console: "OK: …" or "FAILED: …"
   failed: boolean;      // whether the exit code is not 0
   exit_code?: number;   // 2: no answer of the subject was verified
-  only_subject?: boolean; // whether failures of the subject alone count
   subject: number;      // index into oracles
   oracles: Oracle[];
   questions: Question[];          // contact questions first, then worlds, each sorted by id
@@ -162,17 +161,17 @@ export interface Sweep {
   settings: { name: string; value: string }[];
   asked: number; failed: number; kept: number;  // questions; failed answers; failures that the file has kept
   /** Answers by their gravest finding. */
-  answers: { family: number[]; pair: number[]; oracle: number[]; verdict: number[]; band: number[]; count: number[] };
+  answers: { family: number[]; pair: number[]; oracle: number[]; verdict: number[]; grade: number[]; count: number[] };
   /** Findings: every measure of every answer, over all pairs. */
-  findings?: { family: number[]; oracle: number[]; measure: number[]; law: number[]; verdict: number[]; band: number[]; count: number[] };
+  findings?: { family: number[]; oracle: number[]; measure: number[]; law: number[]; verdict: number[]; grade: number[]; count: number[] };
   bins_per_decade: number;
   /** `bins`: bin, count, bin, count, …; bin b holds values from 10^(b / bins_per_decade) on. */
   sketches: { pair: number[]; oracle: number[]; measure: number[]; law?: number[]; zeros: number[]; infinite: number[]; bins: number[][] };
   /** The failures whose questions are in `questions`, gravest first. */
-  failures: { question: number[]; family?: number[]; pair?: number[]; oracle: number[]; measure: number[]; law?: number[]; verdict: number[]; band: number[]; value: (number | string)[]; share: number[]; proof: string[]; is_new?: boolean[] };
+  failures: { question: number[]; family?: number[]; pair?: number[]; oracle: number[]; measure: number[]; law?: number[]; verdict: number[]; grade: number[]; value: (number | string)[]; share: number[]; proof: string[]; is_new?: boolean[] };
   /** The worst findings of each measure whose questions are in `questions`, whatever their verdicts, the most tolerances first. */
-  worst?: { question: number[]; family: number[]; pair: number[]; oracle: number[]; measure: number[]; law: number[]; verdict: number[]; value: (number | string)[]; tolerance: (number | string)[]; tolerances: (number | string)[]; share: number[] };
-  names: { oracle: string[]; family: string[]; pair: string[]; measure: string[]; law?: string[]; verdict: string[]; band: string[] };
+  worst?: { question: number[]; family: number[]; pair: number[]; oracle: number[]; measure: number[]; law: number[]; verdict: number[]; grade: number[]; value: (number | string)[]; tolerance: (number | string)[]; tolerances: (number | string)[]; share: number[] };
+  names: { oracle: string[]; family: string[]; pair: string[]; measure: string[]; law?: string[]; verdict: string[]; grade: string[] };
 }
 
 /** The party that is responsible for a fault: the engine, a setting that its adapter chooses, or a simplification that the engine documents. */
@@ -187,6 +186,7 @@ export interface Cluster {
   upstream: string;               // link, "unreported", or ""
   is_new: boolean;                // not in the ledger
   has_outgrown?: boolean;         // in the ledger, and larger than its bound there
+  counts?: boolean;               // whether it fails the run; not in the data of older programs
   grade: number;                  // the gravest, index into names.grade
   cause: number;
   responsible?: Responsible;      // not in the data of older programs

@@ -7,7 +7,7 @@ import type { Run } from "./run";
 export const filterKeys = ["verdict", "oracle", "group", "pair", "measure", "law", "cause", "cluster", "entry", "question"] as const;
 export type FilterKey = (typeof filterKeys)[number];
 
-export const sortKeys = ["gravity", "question", "oracle", "measure", "share"] as const;
+export const sortKeys = ["severity", "question", "oracle", "measure", "share"] as const;
 export type SortKey = (typeof sortKeys)[number];
 
 export interface Matches {
@@ -82,17 +82,17 @@ export function orderBy(run: Run, key: SortKey): Uint32Array {
     return places;
   };
   const faults = faultBands.length;
-  const gravity = Float64Array.from(f.share, (share, i) => run.band[i] * 1e3 - (run.band[i] < faults ? Math.min(999, 500 + 20 * Math.log10(Math.max(Math.abs(share), 1e-25))) : 0));
+  const severity = Float64Array.from(f.share, (share, i) => run.band[i] * 1e3 - (run.band[i] < faults ? Math.min(999, 500 + 20 * Math.log10(Math.max(Math.abs(share), 1e-25))) : 0));
   let keys: ArrayLike<number>;
   const questionRank = (): number[] => rank(questions, (q) => q.id);
   switch (key) {
-    case "gravity": keys = gravity; break;
+    case "severity": keys = severity; break;
     case "question": { const r = questionRank(); keys = f.question.map((q) => r[q]); break; }
     case "oracle": { const r = rank(oracles, (o) => o.name); keys = f.oracle.map((o) => r[o]); break; }
     case "measure": { const r = rank(names.measure, (m) => m.name); keys = f.measure.map((m) => r[m]); break; }
     case "share": keys = f.share.map((s) => -Math.abs(s)); break;
   }
-  order = Uint32Array.from(keys, (_, i) => i).sort((a, b) => keys[a] - keys[b] || gravity[a] - gravity[b] || a - b);
+  order = Uint32Array.from(keys, (_, i) => i).sort((a, b) => keys[a] - keys[b] || severity[a] - severity[b] || a - b);
   kept.set(key, order);
   return order;
 }
@@ -110,7 +110,7 @@ export function findMatches(run: Run, query: URLSearchParams): Matches {
   for (const band of bandsOf(query)) wanted[bands.indexOf(band)] = 1;
   // Older addresses ask for an order by value, which mixed units.
   const sort = (query.get("sort") === "value" ? "share" : query.get("sort")) as SortKey | null;
-  const order = orderBy(run, sort && sortKeys.includes(sort) ? sort : "gravity");
+  const order = orderBy(run, sort && sortKeys.includes(sort) ? sort : "severity");
   const { band } = run;
   const passes = words ?? new Uint8Array(band.length).fill(1);
   for (const { column, passes: table } of tests)

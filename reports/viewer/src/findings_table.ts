@@ -21,7 +21,7 @@ export interface FindingsTable {
 }
 
 const columns: { key: SortKey; name: string }[] = [
-  { key: "gravity", name: "Band" }, { key: "question", name: "Question" }, { key: "oracle", name: "Oracle" },
+  { key: "severity", name: "Grade" }, { key: "question", name: "Question" }, { key: "oracle", name: "Oracle" },
   // Newtons, metres and radians have no common order: both columns are put in order by the share.
   { key: "measure", name: "Law or measure" }, { key: "share", name: "Error" }, { key: "share", name: "Share" },
 ];

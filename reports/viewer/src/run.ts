@@ -84,8 +84,8 @@ export function makeRun({ report, blob, text: textOf }: ReportData): Run {
 /** The engines and the size of a fault. The program says "scenario", and the page says "question". */
 export const extentOf = (cluster: Cluster): string => cluster.extent.replace(/\bscenario(s?)\b/g, "question$1");
 
-/** The band of a cluster: that of its worst finding, or of its grade if it has no size. */
+/** The band of a cluster: that of its worst finding. */
 export function bandOfCluster(run: Run, cluster: Cluster): Band {
   const own = run.band[cluster.worst];
-  return own !== undefined && own < faultBands.length ? bands[own] : bandOf("fail", cluster.grade, cluster.share);
+  return own !== undefined && own < faultBands.length ? bands[own] : bandOf("fail", cluster.grade);
 }

@@ -104,8 +104,8 @@ double ShareOf(const Finding& finding, const MotionScale& scale) {
 }
 
 Grade GradeOf(const Finding& finding, const MotionScale& scale) {
-  if (!HasSize(finding.measure)) return Grade::kNone;
   const Grade grade = GradeOfShare(ShareOf(finding, scale));
+  if (!HasSize(finding.measure)) return std::min(grade, Grade::kLarge);
   return finding.measure == MeasureKind::kPassage && grade != Grade::kRounding
              ? Grade::kWrongTouch
              : grade;
@@ -114,6 +114,7 @@ Grade GradeOf(const Finding& finding, const MotionScale& scale) {
 void GradeFaults(const MotionScale& scale, std::span<Finding> findings) {
   for (Finding& finding : findings) {
     if (IsProvedWrong(finding)) finding.grade = GradeOf(finding, scale);
+    if (IsUnusable(finding.verdict)) finding.grade = Grade::kUnusable;
   }
 }
 

@@ -46,10 +46,10 @@ double SizeFor(MeasureKind measure, const MotionScale& scale);
 double ShareOf(const Finding& finding, const MotionScale& scale);
 
 /** Returns the grade of a fault of a motion, by its share. A body that passes through
- another is a wrong hit or miss. kNone for measures without a size. */
+ another is a wrong hit or miss. A measure without a size is kLarge at most. */
 Grade GradeOf(const Finding& finding, const MotionScale& scale);
 
-/** Sets the grade of every finding on that motion that is proved wrong. */
+/** Sets the grade of every fault on that motion. */
 void GradeFaults(const MotionScale& scale, std::span<Finding> findings);
 
 }  // namespace touchstone

@@ -64,10 +64,8 @@ DataJson FindingsData(const RunReport& report, const Clusters& clusters,
       Column(report, [](const Finding& f) { return static_cast<int>(f.verdict); });
   data["undecided"] =
       Column(report, [](const Finding& f) { return static_cast<int>(f.undecided); });
-  data["grade"] = at_each([&](std::size_t f) {
-    return static_cast<int>(
-        BandOf(findings[f], report.ledger.entries, clusters.shares[f]));
-  });
+  data["grade"] =
+      Column(report, [](const Finding& f) { return static_cast<int>(f.grade); });
   data["cause"] =
       Column(report, [](const Finding& f) { return static_cast<int>(f.cause); });
   data["shipped"] =
@@ -98,7 +96,7 @@ DataJson NamesData() {
   DataJson names;
   names["verdict"] = NamesUpTo(Verdict::kInvalid);
   names["undecided"] = NamesUpTo(Undecided::kOpposed);
-  names["grade"] = NamesUpTo(Band::kWrong);
+  names["grade"] = NamesUpTo(Grade::kUnusable);
   names["cause"] = NamesUpTo(Cause::kDefect);  // A run examines every failure.
   names["shipped"] = NamesUpTo(Shipped::kShippedOnly);
   names["measure"] = DataJson::array();

@@ -201,12 +201,12 @@ TEST(ExitCode, FailsForARegressionOfTheSubjectAndOfAReferenceWhereItCounts) {
   finding.reference = "referee";
   finding.measure = MeasureKind::kExcess;
   report.findings = {finding};
-  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
+  EXPECT_EQ(ExitCode(report, {.whose = FailOn::kAnything}), 0);
   report.regressions = {{"ode", "worse"}};
-  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 1);
-  EXPECT_EQ(ExitCode(report, FailOn::kSubject), 0);
+  EXPECT_EQ(ExitCode(report, {.whose = FailOn::kAnything}), 1);
+  EXPECT_EQ(ExitCode(report, {.whose = FailOn::kSubject}), 0);
   report.regressions = {{"mine", "worse"}};
-  EXPECT_EQ(ExitCode(report, FailOn::kSubject), 1);
+  EXPECT_EQ(ExitCode(report, {.whose = FailOn::kSubject}), 1);
 }
 
 }  // namespace

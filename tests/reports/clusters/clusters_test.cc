@@ -89,7 +89,7 @@ TEST(ClustersOf, GroupsKnownFaultsByTheFaultOfTheirEntries) {
   EXPECT_THAT(cluster.oracles, ElementsAre(0, 1));
   EXPECT_THAT(cluster.questions, ElementsAre(1, 0));  // The larger error first.
   EXPECT_EQ(cluster.worst, 2U);
-  EXPECT_EQ(cluster.band, Band::kLarge);
+  EXPECT_EQ(cluster.grade, Grade::kLarge);
   EXPECT_FALSE(cluster.is_new);
   EXPECT_EQ(cluster.upstream, "unreported");
   EXPECT_NEAR(cluster.share, 0.03 / std::sqrt(3.0), 1e-12);
@@ -147,7 +147,7 @@ TEST(ClustersOf, StatesTheLargestErrorAlsoNextToAWrongHit) {
   report.findings = {missed, Known(Fault("b", "ode", 1), 0), count};
   const Clusters clusters = ClustersOf(report);
   ASSERT_EQ(clusters.ranked.size(), 1U);
-  EXPECT_EQ(clusters.ranked[0].band, Band::kWrong);
+  EXPECT_EQ(clusters.ranked[0].grade, Grade::kWrongTouch);
   EXPECT_EQ(ExtentOf(report, clusters.ranked[0]),
             "ode, in 2 scenarios, at worst 1 m, 58 % of the smaller body.");
 }
@@ -159,7 +159,7 @@ TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
   Finding crash = Fault("c", "bullet", 1);
   crash.measure = MeasureKind::kAnswering;
   crash.verdict = Verdict::kCrashed;
-  crash.grade = Grade::kNone;
+  crash.grade = Grade::kUnusable;
   crash.cause = Cause::kNone;
   Finding right = Fault("c", "ode", 0);
   right.verdict = Verdict::kPass;
@@ -170,7 +170,7 @@ TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
     EXPECT_TRUE(cluster.is_new);
     sentences.push_back(cluster.title + " " + ExtentOf(report, cluster));
   }
-  // The contrived crash, 5 − 1/2, precedes errors of 1 %, 3, even in two questions.
+  // The contrived crash, 6 − 1/2, precedes errors of 1 %, 3, even in two questions.
   EXPECT_THAT(sentences,
               ElementsAre("bullet crashes. In 1 scenario.",
                           "ode states a wrong distance or depth (defect). In "
@@ -187,9 +187,9 @@ TEST(ClustersOf, RanksAGraveFaultAtATouchBeforeALargeOneElsewhere) {
   report.findings = {Fault("a", "ode", 0.02), Fault("c", "bullet", 1)};
   const Clusters clusters = ClustersOf(report);
   ASSERT_EQ(clusters.ranked.size(), 2U);
-  EXPECT_EQ(clusters.ranked[0].band, Band::kGross);
-  EXPECT_NEAR(clusters.ranked[0].gravity, 4 - 0.5, 1e-12);
-  EXPECT_EQ(clusters.ranked[1].gravity, 3);
+  EXPECT_EQ(clusters.ranked[0].grade, Grade::kGross);
+  EXPECT_NEAR(clusters.ranked[0].rank, 4 - 0.5, 1e-12);
+  EXPECT_EQ(clusters.ranked[1].rank, 3);
 }
 
 TEST(ClustersOf, TellsWhoIsResponsible) {
@@ -216,7 +216,7 @@ TEST(ClustersOf, RanksACountOfContactsBelowAnEqualLength) {
   const Clusters clusters = ClustersOf(report);
   ASSERT_EQ(clusters.ranked.size(), 2U);
   EXPECT_EQ(clusters.ranked[0].oracles, std::vector<std::size_t>{1});
-  EXPECT_EQ(clusters.ranked[1].band, Band::kLarge);
+  EXPECT_EQ(clusters.ranked[1].grade, Grade::kLarge);
 }
 
 TEST(FaultOf, IsTheFirstSentenceOfAReasonThatNamesNone) {
@@ -236,34 +236,6 @@ TEST(ClustersOf, FindsNothingWhereNothingFails) {
   EXPECT_THAT(ClustersOf(report).ranked, IsEmpty());
 }
 
-TEST(BandOf, CountsAnAnswerThatIsNoneAsWrong) {
-  Finding finding = Fault("a", "ode", 1e-9);
-  EXPECT_EQ(BandOf(finding, {}, 1e-9), Band::kRounding);
-  finding.verdict = Verdict::kInvalid;
-  // A normal that is off unit length by a rounding.
-  EXPECT_EQ(BandOf(finding, {}, NAN), Band::kRounding);
-  finding.grade = Grade::kNone;
-  EXPECT_EQ(BandOf(finding, {}, NAN), Band::kWrong);
-  finding.grade = Grade::kRounding;
-  finding.verdict = Verdict::kPass;
-  EXPECT_EQ(BandOf(finding, {}, 1e-9), Band::kNone);
-  finding.verdict = Verdict::kDisagree;
-  EXPECT_EQ(BandOf(finding, {}, 0.01), Band::kLarge);
-}
-
-TEST(BandOf, CountsACrashOnAVariantAsWrongWhetherTheLedgerKnowsItOrNot) {
-  Finding crash = Fault("a", "ode", 0);
-  crash.measure = MeasureKind::kSwap;
-  crash.grade = Grade::kNone;
-  crash.verdict = Verdict::kCrashed;
-  EXPECT_EQ(BandOf(crash, {}, 0), Band::kWrong);
-  LedgerEntry entry;
-  entry.verdict = Verdict::kCrashed;
-  crash.verdict = Verdict::kKnown;
-  crash.ledger_entry = 0;
-  EXPECT_EQ(BandOf(crash, {{entry}}, 0), Band::kWrong);
-}
-
 TEST(ClustersOf, GivesAKnownCrashOnAVariantNoSize) {
   RunReport report = Report();
   report.ledger.entries.resize(1);
@@ -272,10 +244,11 @@ TEST(ClustersOf, GivesAKnownCrashOnAVariantNoSize) {
   Finding hang = Fault("a", "ode", 0.3);
   hang.measure = MeasureKind::kSwap;
   hang.verdict = Verdict::kKnown;
+  hang.grade = Grade::kUnusable;
   hang.ledger_entry = 0;
   report.findings = {hang};
   const Clusters clusters = ClustersOf(report);
-  EXPECT_EQ(clusters.ranked[0].band, Band::kWrong);
+  EXPECT_EQ(clusters.ranked[0].grade, Grade::kUnusable);
   EXPECT_EQ(ExtentOf(report, clusters.ranked[0]), "ode, in 1 scenario.");
 }
 

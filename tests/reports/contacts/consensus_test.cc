@@ -48,6 +48,7 @@ std::vector<Verdict> Settled(const std::vector<Says>& voters, MeasureKind measur
   for (const Finding& finding : findings) {
     verdicts.push_back(finding.verdict);
     EXPECT_EQ(finding.verdict == Verdict::kDisagree, !finding.proof.empty());
+    EXPECT_EQ(finding.verdict == Verdict::kDisagree, finding.grade != Grade::kNone);
   }
   return verdicts;
 }

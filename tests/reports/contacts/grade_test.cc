@@ -39,5 +39,11 @@ TEST(Grade, OfAWrongTouchDependsOnTheDistanceFromTouching) {
   }
 }
 
+TEST(Grade, OfAnInvalidAnswerIsThatOfItsNormalIfThatIsAll) {
+  EXPECT_EQ(GradeOf({.what = "n is short", .off_unit = 1e-14}), Grade::kRounding);
+  EXPECT_EQ(GradeOf({.what = "n is short", .off_unit = 0.01}), Grade::kLarge);
+  EXPECT_EQ(GradeOf({.what = "NaN", .off_unit = {}}), Grade::kUnusable);
+}
+
 }  // namespace
 }  // namespace touchstone

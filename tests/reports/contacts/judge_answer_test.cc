@@ -391,7 +391,7 @@ TEST(Judge, QuotesTheReasonForAMissingAnswer) {
     ASSERT_EQ(findings.size(), 1U);
     EXPECT_EQ(findings[0].verdict, verdict);
     EXPECT_EQ(findings[0].proof, "mine: it said so.");
-    EXPECT_EQ(findings[0].grade, Grade::kNone);
+    EXPECT_EQ(findings[0].grade, IsUnusable(verdict) ? Grade::kUnusable : Grade::kNone);
   }
 }
 

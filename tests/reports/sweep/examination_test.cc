@@ -37,7 +37,7 @@ using Kind = std::tuple<MeasureKind, Verdict, Grade>;
 std::map<Kind, std::uint64_t> WithoutCauses(const FindingCounts& counts) {
   std::map<Kind, std::uint64_t> sums;
   for (const auto& [kind, count] : counts)
-    sums[{kind.measure, kind.verdict, kind.band}] += count;
+    sums[{kind.measure, kind.verdict, kind.grade}] += count;
   return sums;
 }
 
@@ -47,7 +47,7 @@ std::map<Kind, std::uint64_t> ExaminedOf(const OracleTally& tally) {
   std::map<Kind, std::uint64_t> sums;
   for (const auto& [kind, count] : tally.answers) {
     if (kind.verdict == Verdict::kFail && kind.cause != Cause::kNotExamined)
-      sums[{kind.measure, kind.verdict, kind.band}] += count;
+      sums[{kind.measure, kind.verdict, kind.grade}] += count;
   }
   return sums;
 }
@@ -68,7 +68,7 @@ TEST_F(ExaminationTest, SeeksTheCausesOfSomeFailuresOfEachKindInLaterBlocks) {
 }
 
 // The limit changes no verdict and drops no failure.
-TEST_F(ExaminationTest, CountsEveryFailureWithItsVerdictMeasureAndBand) {
+TEST_F(ExaminationTest, CountsEveryFailureWithItsVerdictMeasureAndGrade) {
   EXPECT_EQ(FailureCount(some_), FailureCount(all_));
   EXPECT_EQ(WithoutCauses(some_.answers), WithoutCauses(all_.answers));
   EXPECT_EQ(WithoutCauses(some_.findings), WithoutCauses(all_.findings));
@@ -97,10 +97,10 @@ TEST_F(ExaminationTest, FindsTheSameCausesAsIfAllWereExamined) {
 }
 
 // A cause is sought where a user looks first.
-TEST_F(ExaminationTest, SeeksTheCauseOfTheGravestFailureOfEachMeasureAndBand) {
+TEST_F(ExaminationTest, SeeksTheCauseOfTheGravestFailureOfEachMeasureAndGrade) {
   std::map<Kind, const FailedQuestion*> gravest;
   for (const auto& [kind, failures] : some_.failures) {
-    const FailedQuestion*& of_kind = gravest[{kind.measure, kind.verdict, kind.band}];
+    const FailedQuestion*& of_kind = gravest[{kind.measure, kind.verdict, kind.grade}];
     if (of_kind == nullptr || failures.front().share > of_kind->share)
       of_kind = &failures.front();
   }

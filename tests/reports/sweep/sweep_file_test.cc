@@ -247,7 +247,7 @@ TEST_F(SweepFileTest, RefusesForeignAndDamagedFiles) {
   }
   std::string version = whole;
   version[63] = 9;  // The last byte of the user version in SQLite's header.
-  EXPECT_THAT(error_of(version), HasSubstr("tables of version 9; expected version 5"));
+  EXPECT_THAT(error_of(version), HasSubstr("tables of version 9; expected version 6"));
 }
 
 TEST_F(SweepFileTest, RefusesAFileThatAnotherSweepWrites) {

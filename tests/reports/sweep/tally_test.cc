@@ -28,7 +28,7 @@ SeriesTally OfQuestions(std::uint64_t first, std::uint64_t n) {
     ++oracle.answers[kind];
     ++oracle.findings[kind];
     oracle.sketches[{measure, law}].Add(value);
-    Insert({i, value, 1e-3, value / 1e-3, value, Verdict::kFail},
+    Insert({i, value, 1e-3, value / 1e-3, value, Verdict::kFail, Grade::kLarge},
            oracle.worst[{measure, law}]);
     Insert(FailedQuestion{i, kind, value, 1e-3, value, "proof", "file"},
            oracle.failures[kind]);
@@ -54,7 +54,8 @@ RC_GTEST_PROP(Tally, MergesInAnyOrderAndGroupingToTheSame, ()) {
 TEST(Tally, KeepsTheWorstAndOfEqualOnesTheFirst) {
   std::vector<WorstFinding> worst;
   for (std::uint64_t i = 0; i < 100; ++i)
-    Insert({i, 0, 1, static_cast<double>(i % 10), 0, Verdict::kPass}, worst);
+    Insert({i, 0, 1, static_cast<double>(i % 10), 0, Verdict::kPass, Grade::kNone},
+           worst);
   ASSERT_EQ(worst.size(), kWorstKept);
   for (std::size_t i = 0; i < kWorstKept; ++i) {
     EXPECT_EQ(worst[i].tolerances, 9);
@@ -84,17 +85,17 @@ TEST(Tally, KeepsTheGravestFailuresOfEachKindAndCountsAll) {
   EXPECT_EQ(GravestFailure(tally)->question, 9U);
 }
 
-TEST(Tally, KeepsFailuresOfEachBandAndEnding) {
+TEST(Tally, KeepsFailuresOfEachGradeAndEnding) {
   OracleTally tally;
-  const auto fail = [&](std::uint64_t question, Verdict verdict, Grade band,
+  const auto fail = [&](std::uint64_t question, Verdict verdict, Grade grade,
                         const std::string& ending) {
-    const FindingKind kind{MeasureKind::kAnswering, verdict, band,
+    const FindingKind kind{MeasureKind::kAnswering, verdict, grade,
                            Cause::kDefect,          "",      ending};
     Insert(FailedQuestion{question, kind, 0, 0, 0, "", ""}, tally.failures[kind]);
   };
   for (std::uint64_t i = 0; i < 50; ++i)
-    fail(i, Verdict::kCrashed, Grade::kNone, "killed by SIGSEGV.");
-  fail(50, Verdict::kCrashed, Grade::kNone, "aborted: gjk.h:12: Assertion `a'.");
+    fail(i, Verdict::kCrashed, Grade::kUnusable, "killed by SIGSEGV.");
+  fail(50, Verdict::kCrashed, Grade::kUnusable, "aborted: gjk.h:12: Assertion `a'.");
   fail(51, Verdict::kFail, Grade::kGross, "");
   fail(52, Verdict::kFail, Grade::kRounding, "");
   EXPECT_EQ(tally.failures.size(), 4U);

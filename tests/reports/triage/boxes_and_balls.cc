@@ -42,13 +42,12 @@ Symptom SymptomIn(const Scenario& scenario, const Oracle& oracle) {
   FindingKind& kind = failure.kind;
   kind.measure = finding.measure;
   kind.verdict = finding.verdict;
-  kind.band = finding.grade;
+  kind.grade = finding.grade;
   kind.cause = finding.cause;
   kind.ending = ending;
   failure.scenario = TextOf(scenario);
   symptom.failed.emplace("random, box and sphere", 5);
-  symptom.bands.emplace(ending.empty() ? static_cast<Band>(finding.grade) : Band::kWrong,
-                        5);
+  symptom.grades.emplace(finding.grade, 5);
   return symptom;
 }
 

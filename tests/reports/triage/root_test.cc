@@ -94,9 +94,9 @@ TEST(Roots, TellLibrariesFaultsAndPlacesApart) {
         << folder;
   }
   // Missing answers and misses come before wrong depths.
-  EXPECT_EQ(roots[0].band, Band::kWrong);
-  EXPECT_EQ(roots[2].band, Band::kWrong);
-  EXPECT_LT(roots[4].band, Band::kWrong);
+  EXPECT_EQ(roots[0].grade, Grade::kUnusable);
+  EXPECT_EQ(roots[2].grade, Grade::kWrongTouch);
+  EXPECT_LT(roots[4].grade, Grade::kWrongTouch);
 }
 
 TEST(Roots, OfTwoVersionsOfALibraryAreTwo) {

@@ -74,11 +74,11 @@ TEST(ConclusionOf, DoesNotCallAnImprovementAFault) {
       "known.toml:30: expired on 2026-01-01: review it."};
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   EXPECT_THAT(
-      ConclusionOf(report, outcomes, FailOn::kAnything),
+      ConclusionOf(report, outcomes, {.whose = FailOn::kAnything}),
       testing::EndsWith("; 1 entry of the ledger hides less than allowed: lower or "
                         "remove it; 1 fault in the scenario files and the ledger"));
   report.faults.pop_back();
-  EXPECT_THAT(ConclusionOf(report, outcomes, FailOn::kAnything),
+  EXPECT_THAT(ConclusionOf(report, outcomes, {.whose = FailOn::kAnything}),
               testing::EndsWith("lower or remove it"));
 }
 

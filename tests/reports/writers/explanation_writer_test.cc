@@ -78,7 +78,7 @@ TEST(WriteExplanationTable, WritesOneLinePerScenario) {
             "contact/box_sphere/deep    touching              -0.05  pass            1  "
             "theirs/float\n"
             "contact/box_sphere/wrong   touching              -0.05  fail            0  "
-            "mine, theirs/float\n"
+            "mine, theirs/float (unusable)\n"
             "contact/cone_cone/grazing  undecided             -0.05  undecidable     0  "
             "none\n");
 }

@@ -118,6 +118,7 @@ RunReport HandMadeReport() {
                                      1e-14, Verdict::kFail));
   report.findings.push_back(Measured(wrong, "theirs/float", MeasureKind::kAnswering, kNaN,
                                      0, Verdict::kInvalid));
+  report.findings.back().grade = Grade::kUnusable;
 
   report.findings.push_back(
       Measured(cone, "mine", MeasureKind::kTouching, 0, 0, Verdict::kUndecidable));

@@ -51,6 +51,7 @@ TEST(OutcomesOf, DecidesByAFalseHitBeforeItsMissingContacts) {
   Finding& missing = report.findings[3];
   missing.measure = MeasureKind::kAnswering;
   missing.verdict = Verdict::kInvalid;
+  missing.grade = Grade::kUnusable;
   EXPECT_EQ(OutcomesOf(report)[2].verdict, Verdict::kFail);
   EXPECT_EQ(OutcomesOf(report)[2].decisive->measure, MeasureKind::kTouching);
   touching.grade = Grade::kRounding;

@@ -97,7 +97,6 @@ TEST(ReportData, HoldsQuestionsAnswersAndFindings) {
   EXPECT_EQ(data["sentence"], "2 oracles answered 3 contact questions.");
   EXPECT_THAT(data["conclusion"].get<std::string>(), HasSubstr("FAILED: mine failed in"));
   EXPECT_EQ(data["exit_code"], 1);
-  EXPECT_EQ(data["only_subject"], false);
   ASSERT_EQ(data["questions"].size(), 3U);
   const DataJson& question = data["questions"][0];
   EXPECT_EQ(question["title"], "A sphere in a <box> & out again");
@@ -134,12 +133,12 @@ TEST(ReportData, RanksClustersAndRefersToThem) {
   const DataJson& clusters = data["clusters"];
   // Invalid numbers, two measures of "mine", and a reason of the ledger.
   ASSERT_EQ(clusters.size(), 4U);
-  EXPECT_EQ(data["names"]["grade"][clusters[0]["grade"].get<std::size_t>()],
-            "wrong answer");
+  EXPECT_EQ(data["names"]["grade"][clusters[0]["grade"].get<std::size_t>()], "unusable");
   EXPECT_EQ(data["findings"]["cluster"][4], 0);
   EXPECT_EQ(data["findings"]["cluster"][0], -1);
   EXPECT_EQ(clusters[0]["title"], "theirs/float gives an invalid answer.");
   EXPECT_EQ(clusters[0]["extent"], "In 1 scenario.");
+  EXPECT_EQ(clusters[0]["counts"], true);
   EXPECT_EQ(data["ledger"][0]["fault"], "Float build.");
 }
 

@@ -37,7 +37,7 @@ TEST(WriteTable, CountsEveryVerdict) {
 
 TEST(WriteTable, RanksFaultsAndSaysWhichTheLedgerKnows) {
   const std::string table = Table(HandMadeReport());
-  EXPECT_THAT(table, HasSubstr("Faults: 4, 3 new, 1 in the ledger\n  wrong answer  "
+  EXPECT_THAT(table, HasSubstr("Faults: 4, 3 new, 1 in the ledger\n  unusable          "
                                "New: theirs/float gives an invalid answer. In 1 "
                                "scenario.\n"));
   EXPECT_THAT(table, HasSubstr("Float build. theirs/float, in 1 scenario."));
@@ -100,7 +100,7 @@ TEST(WriteTable, ListsWhatGotWorseAndCountsIt) {
                   HasSubstr("Worse than in the baseline\n  ✗ a: theirs/float excess: was "
                             "1, is 3 m\n"),
                   HasSubstr("; 1 finding worse than in the baseline\n")));
-  EXPECT_THAT(Table(report, {.fail_on = FailOn::kSubject}),
+  EXPECT_THAT(Table(report, {.rule = {.whose = FailOn::kSubject}}),
               Not(HasSubstr("was 1, is 3 m")));
 }
 
@@ -172,9 +172,10 @@ TEST(WriteTable, KeepsFailuresWhenQuiet) {
 
 TEST(WriteTable, KeepsOnlyTheFailuresThatCountWhenQuiet) {
   const std::string proof_of_theirs = "theirs/float: invalid.";
-  const auto table = [](bool quiet, FailOn fail_on) {
-    return Table(HandMadeReport(), {.quiet = quiet, .fail_on = fail_on});
+  const auto table = [](bool quiet, FailOn whose) {
+    return Table(HandMadeReport(), {.quiet = quiet, .rule = {.whose = whose}});
   };
+  EXPECT_THAT(table(true, FailOn::kFaults), HasSubstr(proof_of_theirs));
   EXPECT_THAT(table(true, FailOn::kAnything), HasSubstr(proof_of_theirs));
   EXPECT_THAT(table(false, FailOn::kSubject), HasSubstr(proof_of_theirs));
   EXPECT_THAT(table(true, FailOn::kSubject),

@@ -26,7 +26,7 @@ export const clusterView: MakeView = (run, at) => {
   const number = faultOf(run, at.path[1] ?? "");
   const cluster = report.clusters[number];
   if (!cluster) return notFound(`There is no fault “${at.path[1] ?? ""}”`);
-  const found = [...orderBy(run, "gravity")].filter((i) => f.cluster[i] === number);
+  const found = [...orderBy(run, "severity")].filter((i) => f.cluster[i] === number);
   const question = report.questions[f.question[cluster.worst] ?? cluster.questions[0]];
   const worst = findingAddress(run, cluster.worst);
   const band = bandOfCluster(run, cluster);

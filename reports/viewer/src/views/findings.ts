@@ -49,10 +49,10 @@ export const findingsView: MakeView = (run, start) => {
   const go = (next: URLSearchParams): string => address(["findings"], next);
 
   const table = findingsTable(run, (key: SortKey) => {
-    const current = (query.get("sort") as SortKey | null) ?? "gravity";
+    const current = (query.get("sort") as SortKey | null) ?? "severity";
     const same = current === key;
     const reversed = same && query.get("down") === "0";
-    let next = withValue(query, "sort", key === "gravity" ? "" : key);
+    let next = withValue(query, "sort", key === "severity" ? "" : key);
     next = withValue(next, "down", same && !reversed ? "0" : "");
     const falling = key === "question" || key === "oracle" || key === "measure" ? reversed : !reversed;
     return { href: go(next), sorted: same ? (falling ? "descending" : "ascending") : "none" };
@@ -125,7 +125,7 @@ export const findingsView: MakeView = (run, start) => {
     return h("div", { class: "nothing" },
       h("h2", {}, q ? `Nothing found for “${q}”` : isNarrowed ? "No finding passes these filters" : "No measurement of this run is wrong"),
       h("ul", {},
-        hidden > 0 && h("li", {}, h("a", { href: go(withValue(query, "band", "all")) }, `${counted(hidden, "measurement")} of other bands`), " match, those that passed included."),
+        hidden > 0 && h("li", {}, h("a", { href: go(withValue(query, "band", "all")) }, `${counted(hidden, "measurement")} of other grades`), " match, those that passed included."),
         used.length > 0 && q !== "" && h("li", {}, h("a", { href: searchFor(q) }, `Search for “${q}” without the filters`)),
         used.length > 1 && used.slice(0, 6).map(({ key, value }) => h("li", {}, h("a", { href: go(toggled(query, key, value)) }, `Without ${names[key]}: ${nameOfValue(run, key, value)}`))),
         alike,
@@ -134,7 +134,7 @@ export const findingsView: MakeView = (run, start) => {
   };
   const element = h("section", {}, h("h1", {}, "Findings"), countsList(run), chips, filters, count, nothing, table.element);
   queueMicrotask(show);
-  // The order by gravity is the one that nearly everybody asks for. The others, and the index of the search, are made while nobody waits: one at a
+  // The order by severity is the one that nearly everybody asks for. The others, and the index of the search, are made while nobody waits: one at a
   // time, so that a filter never waits for all of them.
   const chores = [() => run.search.find("warm"), ...sortKeys.map((key) => () => orderBy(run, key))];
   const doChore = (): void => {

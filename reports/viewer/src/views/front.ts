@@ -15,7 +15,7 @@ import { smallMatrix } from "./matrix";
 
 /** Orders of the faults: the largest value first, and equal ones in the order of the report. */
 const orders: { key: string; name: string; weighs: string; of(run: Run, cluster: number): number }[] = [
-  { key: "harm", name: "worst for a user first", weighs: "Graver first. 4 × the engines or 10 × the questions count as a band more, only unusual questions as up to one less.", of: () => 0 },
+  { key: "harm", name: "worst for a user first", weighs: "Graver first. 4 × the engines or 10 × the questions count as a grade more, only unusual questions as up to one less.", of: () => 0 },
   { key: "share", name: "largest share of the size first", weighs: "By the largest error as a share of the size. No usable answer comes first, counts come last.", of: (run, c) => (wordsOf(run, run.report.clusters[c].worst) in silentNouns ? Infinity : run.report.clusters[c].unit === "" ? -1 : run.report.clusters[c].share) },
   { key: "metres", name: "largest error in metres first", weighs: "By the largest error that is a length, in metres. Others come last.", of: ({ report }, c) => (report.clusters[c].unit === "m" && typeof report.clusters[c].error === "number" ? report.clusters[c].error : -1) },
   { key: "questions", name: "most questions first", weighs: "By the number of questions that show the fault.", of: ({ report }, c) => report.clusters[c].questions.length },
@@ -34,15 +34,15 @@ function neverWrong({ report, band }: Run): number[] {
   return [...passed].filter((o) => !wrong.has(o)).sort((a, b) => a - b);
 }
 
-/** How many faults each oracle has a part in: those that are grave or unusable, and all. */
+/** How many faults each oracle has a part in: those over 10 % or graver, and all. */
 function faultsByOracle(run: Run, clusterBands: Band[]): HTMLElement {
   const { clusters, oracles } = run.report;
   const rows = oracles.map((_, o) => {
     const own = clusters.map((_c, c) => c).filter((c) => clusters[c].oracles.includes(o));
-    return { o, all: own.length, grave: own.filter((c) => clusterBands[c] === "grave" || clusterBands[c] === "crash").length };
+    return { o, all: own.length, grave: own.filter((c) => bands.indexOf(clusterBands[c]) <= bands.indexOf("grave")).length };
   }).filter(({ all }) => all > 0).sort((a, b) => b.grave - a.grave || b.all - a.all || a.o - b.o);
   return h("table", { class: "plain" },
-    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Oracle"), ["Unusable or grave", "All"].map((t) => h("th", { scope: "col", class: "number" }, t)))),
+    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Oracle"), ["Over 10 % or graver", "All"].map((t) => h("th", { scope: "col", class: "number" }, t)))),
     h("tbody", {}, rows.map(({ o, all, grave }) => h("tr", {}, h("th", { scope: "row" }, engine(run, o)), h("td", { class: "number" }, grave), h("td", { class: "number" }, all)))));
 }
 
@@ -51,11 +51,10 @@ const inARow = (parts: Child[]): Child[] => parts.flatMap((part, i) => (i === 0 
 
 /** Why a run fails, in clauses: nothing verified, new faults, known ones that have grown, the files. */
 function reasonsToFail(run: Run): Child[] {
-  const { failed, subject, exit_code, only_subject } = run.report;
+  const { failed, subject, exit_code } = run.report;
   if (exit_code === 2) return [`no answer of ${run.report.oracles[subject].name} was verified`];
   // A run fails by what counts for the exit code, and by nothing else.
-  const counts = (oracles: number[]): boolean => !failed || !only_subject || oracles.includes(subject);
-  const clusters = run.report.clusters.filter(({ oracles }) => counts(oracles));
+  const clusters = run.report.clusters.filter(({ counts }) => !failed || counts !== false);
   const regressions = run.report.regressions;
   // Remarks on the files would fail the run.
   const faults = failed ? run.report.faults : [];
@@ -152,9 +151,10 @@ export const frontView: MakeView = (run, start) => {
     const whose = valuesOf(query, "whose");
     shown = report.clusters.map((_, c) => c).filter((c) => (wanted.length === 0 || wanted.includes(clusterBands[c])) && (whose.length === 0 || whose.includes(responsibleOf(report.clusters[c]))));
     chosen = -1;
-    fill(chips, faultBands.map((band) => h("a", {
+    const inBand = (band: Band): number => clusterBands.filter((b) => b === band).length;
+    fill(chips, faultBands.filter((band) => inBand(band) > 0 || wanted.includes(band)).map((band) => h("a", {
       class: `chip ${band}`, href: address([], toggled(query, "band", band)), "aria-current": wanted.includes(band) ? "true" : undefined, title: bandTexts[band].meaning,
-    }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, clusterBands.filter((b) => b === band).length))));
+    }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, inBand(band)))));
     who.value = whose[0] ?? "";
     const order = orders.find(({ key }) => key === query.get("sort")) ?? orders[0];
     sort.value = order.key;
@@ -180,7 +180,7 @@ export const frontView: MakeView = (run, start) => {
     conclusionOf(run),
     report.regressions.length > 0 && h("details", { class: "notes", open: true }, h("summary", {}, counted(report.regressions.length, "regression")), h("ul", {}, report.regressions.slice(0, 200).map((r) => h("li", {}, h("b", {}, r.oracle), " ", r.what)))),
     h("div", { class: "toolbar" }, h("h1", {}, report.clusters.length > 0 ? "What is wrong" : "No fault was found"), report.clusters.length > 0 && [chips, h("div", { class: "sort" }, perWho.length > 1 && [who, " "], sort)]),
-    report.clusters.length > 0 && h("div", { class: "card card-names" }, weighs, ["Engines", "At worst", "Band and cause"].map((name) => h("span", { "aria-hidden": "true" }, name))),
+    report.clusters.length > 0 && h("div", { class: "card card-names" }, weighs, ["Engines", "At worst", "Grade and cause"].map((name) => h("span", { "aria-hidden": "true" }, name))),
     report.clusters.length === 0 && verified(run), list.element, more,
     h("div", { class: "bookkeeping" },
       h("div", {},

@@ -10,7 +10,7 @@ import type { MakeView } from "../view";
 import { address } from "../address";
 import { badge, button } from "../widgets";
 
-/** The gravest band of each group and oracle, how many questions of the group have it, and how many passed. */
+/** The gravest grade of each group and oracle, how many questions of the group have it, and how many passed. */
 interface Matrix { band(group: number, oracle: number): Band; count(group: number, oracle: number): number; passed(group: number, oracle: number): number; size(group: number): number }
 
 const made = new WeakMap<Run, Matrix>();
@@ -70,7 +70,7 @@ export function smallMatrix(run: Run): HTMLElement {
   const [left, top, hh] = [widest(rows.map((g) => run.groups[g]), 200), widest(oracles.map(({ name }) => name), 150), 12];
   const w = Math.max(12, Math.min(18, Math.floor((400 - left) / oracles.length)));
   const [width, height] = [left + oracles.length * w, top + rows.length * hh];
-  const canvas = h("canvas", { width: width * 2, height: height * 2, role: "img", "aria-label": "Matrix of groups of questions, down, and oracles, across, coloured by the gravest band" });
+  const canvas = h("canvas", { width: width * 2, height: height * 2, role: "img", "aria-label": "Matrix of groups of questions, down, and oracles, across, coloured by the gravest grade" });
   canvas.style.setProperty("width", `${width}px`);
   const draw = (): void => {
     const context = canvas.getContext("2d");
@@ -117,7 +117,7 @@ export function smallMatrix(run: Run): HTMLElement {
     mouseleave: () => { link.href = "#/matrix"; link.title = ""; },
   } }, canvas);
   queueMicrotask(draw);
-  return h("div", {}, h("p", { class: "quiet" }, "Down: groups of questions. Across: oracles. Colour: the gravest band. A cell opens its findings."),
+  return h("div", {}, h("p", { class: "quiet" }, "Down: groups of questions. Across: oracles. Colour: the gravest grade. A cell opens its findings."),
     h("ul", { class: "marks cells", "aria-label": "Colours of the matrix" }, bands.map((band) => h("li", { title: bandTexts[band].meaning }, h("span", { class: `cell-key ${band}`, "aria-hidden": "true" }), bandTexts[band].name))), link,
     leftOut > 0 && h("p", { class: "quiet" }, `Left out: ${counted(leftOut, "group")} that no oracle of this run supports.`));
 }
@@ -132,7 +132,7 @@ export const matrixView: MakeView = (run) => {
   const matrix = matrixOf(run);
   const { oracles } = run.report;
   const table = h("table", { class: "matrix" },
-    h("caption", { class: "visually-hidden" }, "The gravest band of each group of scenarios and oracle, with the number of questions in it"),
+    h("caption", { class: "visually-hidden" }, "The gravest grade of each group of scenarios and oracle, with the number of questions in it"),
     h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Group"),
       oracles.map((o, i) => h("th", { scope: "col" }, h("a", { href: address(["oracles", o.name]), class: "upright" }, marker(run.looks[i]), o.name))))),
     h("tbody", {}, run.groups.map((group, g) => h("tr", {},
@@ -147,7 +147,7 @@ export const matrixView: MakeView = (run) => {
   const save = (): void => downloadCsv("matrix.csv", [["group", ...oracles.map((o) => o.name)],
     ...run.groups.map((group, g) => [group, ...oracles.map((_, o) => `${matrix.band(g, o)} ${matrix.count(g, o)}`)])]);
   const element = h("section", {}, h("h1", {}, "Groups × oracles"),
-    h("p", {}, "A cell shows the gravest band of an oracle in a group of questions, and the number of its questions with that band. The line at its foot is the part of the questions that passed. A cell opens its findings. ", button("CSV", save, { class: "small" })),
+    h("p", {}, "A cell shows the gravest grade of an oracle in a group of questions, and the number of its questions with that grade. The line at its foot is the part of the questions that passed. A cell opens its findings. ", button("CSV", save, { class: "small" })),
     countsList(run),
     h("p", { class: "legend" }, bands.map((band) => badge(band))),
     h("div", { class: "scroll matrix-scroll", tabindex: "0", role: "region", "aria-label": "Matrix" }, table));

@@ -1,5 +1,5 @@
 import { address, questionAddress, withValue } from "../address";
-import { bandOf, bands, bandTexts, faultBands, sizeMeaning, type Band } from "../bands";
+import { bandOfNamed, bands, bandTexts, faultBands, sizeMeaning, type Band } from "../bands";
 import { decades, powerOfTen } from "../charts";
 import type { Sweep } from "../data";
 import { h, svg, type Child } from "../dom";
@@ -12,14 +12,6 @@ import { prose } from "../symbols";
 import type { MakeView } from "../view";
 import { badge, button, engine, newBadge } from "../widgets";
 import { notFound } from "./not_found";
-
-const bandOfGradeName: Record<string, Band> = { rounding: "rounding", "over 1e-6": "small", "over 0.001": "large", "over 10 %": "grave", "wrong hit or miss": "grave" };
-
-/** The band of an answer of a sweep, by the names of its verdict and of its grade. */
-export const bandOfAnswer = (verdict: string, grade: string): Band => {
-  const band = bandOf(verdict, 0, 0);
-  return band === "rounding" ? bandOfGradeName[grade] ?? band : band;
-};
 
 /** The answers that a cell of the heat map counts. */
 const shows: { key: string; name: string; bands: readonly Band[] }[] = [
@@ -80,7 +72,7 @@ export function heatMap(sweep: Sweep, down: Dimension, across: Dimension, wanted
     const isKept = Object.entries(keeps).every(([key, value]) => value < 0 || !(key in table) || (table as unknown as Record<string, number[]>)[key][i] === value);
     if (!cell || !isKept || !wasAsked(verdict)) return;
     cell.asked += count;
-    if (wanted.includes(bandOfAnswer(verdict, names.band[table.band[i]] ?? ""))) cell.counted += count;
+    if (wanted.includes(bandOfNamed(verdict, names.grade[table.grade[i]] ?? ""))) cell.counted += count;
   });
   return { rows: rows.names, columns: columns.names, cells, counts: byMeasure ? "measurements" : "answers" };
 }
@@ -190,10 +182,10 @@ export const sweepView: MakeView = (run, at) => {
   };
   const { answers } = sweep;
   const save = (): void => downloadCsv("sweep.csv", map.counts === "answers"
-    ? [["family", "pair", "oracle", "verdict", "band", "answers"],
-      ...answers.count.map((count, i) => [names.family[answers.family[i]], names.pair[answers.pair[i]] ?? "", names.oracle[answers.oracle[i]], names.verdict[answers.verdict[i]], names.band[answers.band[i]] ?? "", count])]
-    : [["family", "oracle", "law", "measure", "verdict", "band", "measurements"],
-      ...sweep.findings!.count.map((count, i) => { const f = sweep.findings!; return [names.family[f.family[i]], names.oracle[f.oracle[i]], names.law?.[f.law[i]] ?? "", names.measure[f.measure[i]], names.verdict[f.verdict[i]], names.band[f.band[i]] ?? "", count]; })]);
+    ? [["family", "pair", "oracle", "verdict", "grade", "answers"],
+      ...answers.count.map((count, i) => [names.family[answers.family[i]], names.pair[answers.pair[i]] ?? "", names.oracle[answers.oracle[i]], names.verdict[answers.verdict[i]], names.grade[answers.grade[i]] ?? "", count])]
+    : [["family", "oracle", "law", "measure", "verdict", "grade", "measurements"],
+      ...sweep.findings!.count.map((count, i) => { const f = sweep.findings!; return [names.family[f.family[i]], names.oracle[f.oracle[i]], names.law?.[f.law[i]] ?? "", names.measure[f.measure[i]], names.verdict[f.verdict[i]], names.grade[f.grade[i]] ?? "", count]; })]);
   const filtered = [keeps.family !== undefined && family >= 0 && names.family[family], keeps.pair !== undefined && pair >= 0 && map.counts === "answers" && names.pair[pair], keeps.oracle !== undefined && oracle >= 0 && names.oracle[oracle]].filter((name) => name !== false);
 
   const spread = distributions(sweep, measure, pair);
@@ -269,16 +261,16 @@ export const sweepView: MakeView = (run, at) => {
       h("p", {}, `${oracle >= 0 ? "The worst" : "The worst of each oracle"} by ${spaced(measure)}, in multiples of the tolerance, also if it passes. ${opens}`),
       worst.length === 0 ? h("p", { class: "quiet" }, "None was asked again.") : tableOf("Worst cases", ["Verdict", capital(noun), "Oracle", "Error", "Tolerance", "Tolerances", "Of the size"], worst.slice(0, mostRows).map(({ i, question, o, finding, info, href }) => {
         const w = sweep.worst!;
-        return h("tr", {}, h("td", {}, badge(finding >= 0 ? bands[run.band[finding]] : bandOf(names.verdict[w.verdict[i]] ?? "", 0, w.share[i]))),
+        return h("tr", {}, h("td", {}, badge(finding >= 0 ? bands[run.band[finding]] : bandOfNamed(names.verdict[w.verdict[i]] ?? "", names.grade[w.grade[i]] ?? ""))),
           h("td", { class: "whole" }, h("a", { href, dir: "auto" }, question.title)), h("td", {}, oracleNamed(run, o)),
           h("td", { class: "number", "data-label": "error" }, quantity(w.value[i], info?.unit ?? "")), h("td", { class: "number", "data-label": "tolerance" }, quantity(w.tolerance[i], info?.unit ?? "")),
           h("td", { class: "number", "data-label": "tolerances" }, short(numberOf(w.tolerances[i]))), h("td", { class: "number", "data-label": "of the size" }, info?.kind === "length" ? ratio(w.share[i]) : ""));
       }))],
     h("h2", {}, "Gravest kept failures"),
     h("p", {}, `${counted(failures.length, "failure")} asked again${mostRows < failures.length ? `, the gravest ${mostRows} shown` : ""}, of ${sweep.kept.toLocaleString("en")} that the sweep has kept. ${opens} ${sizeMeaning}`),
-    failures.length > 0 && tableOf("Gravest kept failures", ["Band", capital(noun), "Oracle", isOfWorlds ? "Law and measure" : "Measure", "Error", "Of the size"], failures.slice(0, mostRows).map(({ i, question, o, finding, info, measurand, href }) => {
+    failures.length > 0 && tableOf("Gravest kept failures", ["Grade", capital(noun), "Oracle", isOfWorlds ? "Law and measure" : "Measure", "Error", "Of the size"], failures.slice(0, mostRows).map(({ i, question, o, finding, info, measurand, href }) => {
       const f = sweep.failures;
-      return h("tr", {}, h("td", {}, badge(bandOfAnswer(names.verdict[f.verdict[i]] ?? "", names.band[f.band[i]] ?? "")), f.is_new?.[i] && [" ", newBadge("the ledger of known faults has no entry of this oracle, verdict, measure and cause")]),
+      return h("tr", {}, h("td", {}, badge(bandOfNamed(names.verdict[f.verdict[i]] ?? "", names.grade[f.grade[i]] ?? "")), f.is_new?.[i] && [" ", newBadge("the ledger of known faults has no entry of this oracle, verdict, measure and cause")]),
         h("td", { class: "whole" }, h("a", { href, dir: "auto" }, question.title), h("p", { class: "proof-line", dir: "auto" }, prose(f.proof[i]))),
         h("td", {}, oracleNamed(run, o)), h("td", {}, measurand),
         h("td", { class: "number", "data-label": "error" }, (finding >= 0 && wordsOf(run, finding)) || quantity(f.value[i], info?.unit ?? "")), h("td", { class: "number", "data-label": "of the size" }, info?.kind === "length" ? ratio(f.share[i]) : ""));
@@ -291,7 +283,7 @@ function mostFailed(sweep: Sweep, among: string[]): string {
   const { findings: f, names } = sweep;
   const faults = new Map<string, number>();
   f?.count.forEach((count, i) => {
-    if (!faultBands.includes(bandOfAnswer(names.verdict[f.verdict[i]] ?? "", names.band[f.band[i]] ?? ""))) return;
+    if (!faultBands.includes(bandOfNamed(names.verdict[f.verdict[i]] ?? "", names.grade[f.grade[i]] ?? ""))) return;
     const name = measurandName(sweep, f.measure[i], f.law[i]);
     faults.set(name, (faults.get(name) ?? 0) + count);
   });

@@ -47,7 +47,7 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   }));
   const names = {
     verdict: ["pass", "fail", "disagree", "known", "undecidable", "unsupported", "crashed", "timed out", "invalid"], undecided: ["", "truth unknown"],
-    grade: ["", "rounding", "over 1e-6", "over 0.001", "over 10 %", "wrong hit or miss"], cause: ["", "convention", "tie", "precision", "discretisation", "model", "setting", "defect"],
+    grade: ["", "rounding", "over 1e-6", "over 0.001", "over 10 %", "wrong hit or miss", "unusable"], cause: ["", "convention", "tie", "precision", "discretisation", "model", "setting", "defect"],
     shipped: ["", "both as set here and as shipped", "as set here only", "as shipped only"], proof: proofKinds, claim: ["", "touching", "apart"],
     measure: [{ name: "separation_error", unit: "m", kind: "length" }, { name: "excess", unit: "m", kind: "length" }, { name: "touching", unit: "", kind: "count" }, { name: "position_error", unit: "m", kind: "length" }, { name: "energy_drift", unit: "J", kind: "other" }, { name: "answering", unit: "", kind: "count" }, { name: "stability", unit: "m", kind: "length" }],
   };
@@ -114,7 +114,7 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
       if (fault && world && k % 2) { cited.finding.push(n); cited.bodies.push([1]); cited.points.push([]); }
       if (fault && world) { studies.finding.push(n); studies.errors.push([0.6, 0.3, 0.15]); studies.unit.push("m"); }
       const put = { question: q, oracle: o, measure: verdict === 5 || crashed ? 5 : world ? (k % 2 ? (q % 3 ? 4 : 6) : 3) : k % 3, law: world ? text(k % 2 ? "conserves_energy" : "bounce_series") : -1, reference: text("referee"), verdict, undecided: verdict === 4 ? 1 : 0,
-        grade: fault && !world ? 1 + (share > 1e-6) + (share > 1e-3) + (share > 0.1) : 0, cause: fault ? [3, 4, 5, 7][n % 4] : 0, shipped: fault && world ? 1 : 0,
+        grade: crashed ? 6 : fault ? 1 + (share > 1e-6) + (share > 1e-3) + (share > 0.1) : 0, cause: fault ? [3, 4, 5, 7][n % 4] : 0, shipped: fault && world ? 1 : 0,
         value: crashed ? 1 : n === 17 ? "inf" : share * question.size, tolerance: 1e-12, share, because: text("64 roundings of 2^-53"), cause_because: fault ? text(world ? "0.6, 0.3 and 0.15 at the step, a half and a quarter of it: it vanishes with the step" : "no known convention accounts for it") : -1, shipped_because: fault && world ? text("1.1 m where 0.3 m is allowed as shipped") : -1,
         proof: fault ? text(geometric ? geometric.words : n % 50 === 0 ? hostile[n % 4] : `${oracles[o].name} says ${n % 1000} mm, a separated pair ${n % 13}`) : -1, ledger: verdict === 3 ? cluster : -1, cluster, time: fault && world ? question.world.times[Math.floor(question.world.times.length * (0.2 + 0.5 * random()))] : -1 };
       for (const c of columns) f[c].push(put[c]);
@@ -149,9 +149,9 @@ function addLists(report, names, { failures: most, law }) {
   const rowOf = (i) => ({ question: f.question[i], family: f.question[i] % 2, pair: names.pair.indexOf(report.questions[f.question[i]].pair ?? ""), oracle: f.oracle[i], measure: law ? names.measure.indexOf(report.names.measure[f.measure[i]].name) : 0, law: law ? names.law.indexOf(report.texts[f.law[i]]) : -1, value: f.value[i], share: f.share[i] });
   const [failures, worst] = [{}, {}];
   own.filter((i) => ["fail", "known"].includes(verdictOf(i)) && rowOf(i).measure >= 0).slice(0, most)
-    .forEach((i, k) => add(failures, { ...rowOf(i), verdict: 1, band: names.band.length - 1, proof: k === 0 ? hostile[1] : report.texts[f.proof[i]], is_new: k % 2 === 1 }));
+    .forEach((i, k) => add(failures, { ...rowOf(i), verdict: 1, grade: names.grade.length - 1, proof: k === 0 ? hostile[1] : report.texts[f.proof[i]], is_new: k % 2 === 1 }));
   own.filter((i) => rowOf(i).measure >= 0 && ["pass", "known"].includes(verdictOf(i)) && (law || report.names.measure[f.measure[i]].name === "separation_error")).slice(0, 400)
-    .forEach((i, k) => add(worst, { ...rowOf(i), verdict: verdictOf(i) === "pass" ? 0 : 1, tolerance: 1e-12, tolerances: k === 0 ? "inf" : Math.abs(f.share[i]) * 1e12 }));
+    .forEach((i, k) => add(worst, { ...rowOf(i), verdict: verdictOf(i) === "pass" ? 0 : 1, grade: verdictOf(i) === "pass" ? -1 : names.grade.length - 1, tolerance: 1e-12, tolerances: k === 0 ? "inf" : Math.abs(f.share[i]) * 1e12 }));
   return { failures, worst };
 }
 
@@ -159,15 +159,15 @@ function addLists(report, names, { failures: most, law }) {
 export function makeSweepSample() {
   const sample = makeSample({ contacts: 30, worlds: 0, findings: 600 });
   const { report } = sample;
-  const names = { oracle: report.oracles.slice(0, 8).map((o) => o.name), family: ["random", "edge_edge"], pair: ["sphere–box", "box–box"], measure: ["separation_error", "excess"], law: [], verdict: ["pass", "fail", "unsupported", "crashed"], band: ["over 1e-6", "over 10 %"] };
+  const names = { oracle: report.oracles.slice(0, 8).map((o) => o.name), family: ["random", "edge_edge"], pair: ["sphere–box", "box–box"], measure: ["separation_error", "excess"], law: [], verdict: ["pass", "fail", "unsupported", "crashed"], grade: ["over 1e-6", "over 10 %"] };
   const [answers, findings, sketches] = [{}, {}, {}];
   names.oracle.forEach((_, oracle) => names.pair.forEach((_p, pair) => {
     names.family.forEach((_f, family) => {
-      if (oracle === 7) { add(answers, { family, pair, oracle, verdict: 2, band: -1, count: 1000 }); return; }
-      add(answers, { family, pair, oracle, verdict: 0, band: -1, count: 900 });
+      if (oracle === 7) { add(answers, { family, pair, oracle, verdict: 2, grade: -1, count: 1000 }); return; }
+      add(answers, { family, pair, oracle, verdict: 0, grade: -1, count: 900 });
       // The bullets (1, 2 and 3) are wrong in the second family.
-      add(answers, { family, pair, oracle, verdict: 1, band: family, count: family === 1 && oracle >= 1 && oracle <= 3 ? 100 : 1 });
-      if (pair === 0) for (const measure of [0, 1]) { add(findings, { family, oracle, measure, law: -1, verdict: 0, band: -1, count: 1500 }); add(findings, { family, oracle, measure, law: -1, verdict: 1, band: 1, count: measure ? 500 : 0 }); }
+      add(answers, { family, pair, oracle, verdict: 1, grade: family, count: family === 1 && oracle >= 1 && oracle <= 3 ? 100 : 1 });
+      if (pair === 0) for (const measure of [0, 1]) { add(findings, { family, oracle, measure, law: -1, verdict: 0, grade: -1, count: 1500 }); add(findings, { family, oracle, measure, law: -1, verdict: 1, grade: 1, count: measure ? 500 : 0 }); }
     });
     if (oracle < 7) for (const measure of [0, 1]) add(sketches, { pair, oracle, measure, law: -1, zeros: 500, infinite: 0, bins: [-64, 400, -63, 90, -4 - oracle, 10] });
   }));
@@ -182,15 +182,15 @@ export function makeSweepSample() {
 export function makeWorldSweepSample() {
   const sample = makeSample({ contacts: 0, worlds: 12, findings: 600 });
   const { report } = sample;
-  const names = { oracle: report.oracles.filter((o) => o.worlds).map((o) => o.name), family: ["drops", "rods"], pair: [], measure: ["position_error", "energy_drift", "stability"], law: ["conserves_energy", "bounce_series"], verdict: ["pass", "fail"], band: ["over 10 %"] };
+  const names = { oracle: report.oracles.filter((o) => o.worlds).map((o) => o.name), family: ["drops", "rods"], pair: [], measure: ["position_error", "energy_drift", "stability"], law: ["conserves_energy", "bounce_series"], verdict: ["pass", "fail"], grade: ["over 10 %"] };
   const [answers, findings, sketches] = [{}, {}, {}];
   names.oracle.forEach((_, oracle) => names.family.forEach((_f, family) => {
-    add(answers, { family, pair: -1, oracle, verdict: 0, band: -1, count: 90 });
-    add(answers, { family, pair: -1, oracle, verdict: 1, band: 0, count: 10 });
+    add(answers, { family, pair: -1, oracle, verdict: 0, grade: -1, count: 90 });
+    add(answers, { family, pair: -1, oracle, verdict: 1, grade: 0, count: 10 });
     // One energy in five is lost among the rods.
     [[1, 0, family ? 20 : 0], [0, 1, 10]].forEach(([measure, law, wrong]) => {
-      add(findings, { family, oracle, measure, law, verdict: 0, band: -1, count: 100 - wrong });
-      if (wrong) add(findings, { family, oracle, measure, law, verdict: 1, band: 0, count: wrong });
+      add(findings, { family, oracle, measure, law, verdict: 0, grade: -1, count: 100 - wrong });
+      if (wrong) add(findings, { family, oracle, measure, law, verdict: 1, grade: 0, count: wrong });
       if (family === 0) add(sketches, { pair: -1, oracle, measure, law, zeros: 5, infinite: 0, bins: [-20, 150, -3, 45] });
     });
   }));

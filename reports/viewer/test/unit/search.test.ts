@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { parseAddress, address, toggled } from "../../src/address";
-import { bandOf, bands, faultBands } from "../../src/bands";
+import { bandOf, bandOfNamed, bands, faultBands } from "../../src/bands";
 import type { Report } from "../../src/data";
 import { bandsOf, findMatches, orderBy } from "../../src/filter";
 import { makeRun } from "../../src/run";
@@ -112,14 +112,14 @@ describe("filters", () => {
 });
 
 describe("a band", () => {
-  it("is that of the grade, of the share where there is none, and of the verdict where nothing can be measured", () => {
-    expect(bandOf("fail", 4, 0)).toBe("grave");
-    expect(bandOf("known", 5, 0)).toBe("grave");
-    expect(bandOf("known", 1, 0.5)).toBe("rounding");
-    expect(bandOf("known", 0, 0.02)).toBe("large");
-    expect(bandOf("crashed", 0, 0)).toBe("crash");
-    expect(bandOf("pass", 0, 0.5)).toBe("passed");
-    expect(bands.map((b) => b)).toContain(bandOf("undecidable", 3, 1));
+  it("is that of the grade of a fault, and of the verdict where there is none", () => {
+    expect(bandOf("fail", 4)).toBe("grave");
+    expect(bandOf("known", 5)).toBe("touch");
+    expect(bandOf("known", 1)).toBe("rounding");
+    expect(bandOfNamed("fail", "over 10 %")).toBe("grave");
+    expect(bandOf("crashed", 6)).toBe("crash");
+    expect(bandOf("pass", 0)).toBe("passed");
+    expect(bands.map((b) => b)).toContain(bandOf("undecidable", 3));
   });
 });
 

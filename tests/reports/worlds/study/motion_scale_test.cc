@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -108,9 +109,20 @@ TEST(GradeOf, OfAMotionFollowsItsShare) {
   EXPECT_EQ(grade(MeasureKind::kPenetration, NAN), Grade::kGross);
   EXPECT_EQ(grade(MeasureKind::kPassage, 0.01), Grade::kWrongTouch);
   EXPECT_EQ(grade(MeasureKind::kPassage, 1e-9), Grade::kRounding);
-  EXPECT_EQ(grade(MeasureKind::kAnswering, 1), Grade::kNone);
-  EXPECT_EQ(grade(MeasureKind::kDeterminism, 1), Grade::kNone);
-  EXPECT_EQ(grade(MeasureKind::kObservedOrder, 1), Grade::kNone);
+  EXPECT_EQ(grade(MeasureKind::kDeterminism, 1), Grade::kLarge);
+  EXPECT_EQ(grade(MeasureKind::kObservedOrder, 1), Grade::kLarge);
+  EXPECT_EQ(grade(MeasureKind::kDeterminism, 1e-9), Grade::kRounding);
+}
+
+TEST(GradeFaults, GradesWhatIsNoMotionAsUnusable) {
+  std::vector<Finding> findings(3, Of(MeasureKind::kPenetration, 1e-2));
+  findings[0].verdict = Verdict::kFail;
+  findings[1].verdict = Verdict::kInvalid;
+  findings[2].verdict = Verdict::kPass;
+  GradeFaults({.length = 1, .speed = 1, .mass = 1}, findings);
+  EXPECT_EQ(findings[0].grade, Grade::kLarge);
+  EXPECT_EQ(findings[1].grade, Grade::kUnusable);
+  EXPECT_EQ(findings[2].grade, Grade::kNone);
 }
 
 }  // namespace
