@@ -76,7 +76,8 @@ struct FailureRule {
   Grade above = Grade::kNone;
 };
 
-/** Returns whether `finding` of `report` is a failure that counts. */
+/** Returns whether an answer in `report` is a failure that counts.
+ @param finding The one that decides its verdict, see DecisiveOf(). */
 bool CountsAsFailure(const Finding& finding, const RunReport& report,
                      const FailureRule& rule);
 

@@ -82,7 +82,7 @@ void WriteReports(const RunReport& report, const RunFacts& facts,
   out.Write("report.data", [&](std::ostream& to) { to << data; });
   out.Write("report.html", [&](std::ostream& to) { WritePage(data, to); });
   out.Write("report.jsonl", [&](std::ostream& to) { WriteJson(report, to); });
-  out.Write("junit.xml", [&](std::ostream& to) { WriteJUnit(report, to); });
+  out.Write("junit.xml", [&](std::ostream& to) { WriteJUnit(report, facts.rule, to); });
 }
 
 /** The worlds of a run that are kept in its folder while it runs. */

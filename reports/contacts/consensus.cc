@@ -8,8 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "reports/contacts/grade.h"
+#include "reports/contacts/body_size.h"
 #include "reports/contacts/tolerances.h"
+#include "reports/finding/grade.h"
 #include "reports/measures/stated.h"
 
 namespace touchstone {
@@ -53,9 +54,9 @@ bool SameSeparation(const Voter& a, const Voter& b) {
 
 /** The vote of all others on one answer. */
 struct Vote {
-  int with = 1;               ///< Number of families in favour, its own included.
-  int against = 0;            ///< Number of families against.
-  std::string first_against;  ///< Name of the first oracle against it.
+  int with = 1;     ///< Number of families in favour, its own included.
+  int against = 0;  ///< Number of families against.
+  const Voter* first_against = nullptr;  ///< The first oracle against it.
 };
 
 Vote VoteOn(const Voter& voter, const std::vector<Voter>& voters,
@@ -66,7 +67,7 @@ Vote VoteOn(const Voter& voter, const std::vector<Voter>& voters,
     if (other.family == voter.family) continue;
     const bool with = same(voter, other);
     agrees[other.family] |= with;
-    if (!with && vote.first_against.empty()) vote.first_against = other.name;
+    if (!with && vote.first_against == nullptr) vote.first_against = &other;
   }
   for (const auto& [family, with] : agrees) ++(with ? vote.with : vote.against);
   return vote;
@@ -77,13 +78,18 @@ void Settle(Finding& finding, const Voter& voter, const std::vector<Voter>& vote
   const Vote vote = VoteOn(voter, voters, same);
   if (vote.against < vote.with) return;
   finding.verdict = Verdict::kDisagree;
-  finding.grade = GradeOf(finding, result.scenario.contact, result.truth);
-  finding.reference = vote.first_against;
+  const Voter& other = *vote.first_against;
+  // The error of a wrong hit or miss is at most that of the truth.
+  const Enclosure& truth = result.truth.separation;
+  const double apart = finding.measure == MeasureKind::kTouching
+                           ? truth.hi - truth.lo
+                           : std::abs(*voter.separation - *other.separation);
+  finding.grade = GradeOfShare(apart / SmallerExtent(result.scenario.contact));
+  finding.reference = other.name;
   finding.proof = fmt::format(
       "{} differs from {} algorithm families, {} among them, and agrees with {}; the "
       "truth is certified only to lie in [{:.9g}, {:.9g}] m.",
-      voter.name, vote.against, vote.first_against, vote.with - 1,
-      result.truth.separation.lo, result.truth.separation.hi);
+      voter.name, vote.against, other.name, vote.with - 1, truth.lo, truth.hi);
 }
 
 }  // namespace

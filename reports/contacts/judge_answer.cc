@@ -321,6 +321,8 @@ class Judgement {
     finding.undecided = Undecided::kUnverified;
     finding.tolerance_because =
         "its normal separates nothing, and without a distance it claims nothing else";
+    finding.grade = Grade::kNone;
+    finding.safety = 1;
     TakeBackProof(finding);
   }
 

@@ -31,9 +31,13 @@ int RankOf(Verdict verdict) {
 }
 
 /** Returns the rank of a finding. A wrong hit or miss outweighs a field that is missing
- because of it. */
+ because of it. An answer that is invalid only by the length of a normal is one that is
+ wrong by so much. */
 int RankOf(const Finding& finding) {
   constexpr int kWrongTouch = 7;
+  const bool is_off_unit =
+      finding.verdict == Verdict::kInvalid && finding.grade != Grade::kUnusable;
+  if (is_off_unit) return RankOf(Verdict::kFail);
   const bool is_wrong_touch =
       finding.verdict == Verdict::kFail && finding.grade == Grade::kWrongTouch;
   return is_wrong_touch ? kWrongTouch : RankOf(finding.verdict);

@@ -107,7 +107,12 @@ std::string ConclusionOf(const RunReport& report, std::span<const Outcome> outco
         failed.empty() ? "" : fmt::format(" ({})", failed)));
   }
   const int code = ExitCode(report, rule);
-  if (code == 1 && of_subject.failed() == 0 && failed_references > 0)
+  const bool a_reference_counts =
+      std::ranges::any_of(outcomes, [&](const Outcome& outcome) {
+        return outcome.oracle != 0 && outcome.decisive != nullptr &&
+               CountsAsFailure(*outcome.decisive, report, rule);
+      });
+  if (code == 1 && of_subject.failed() == 0 && a_reference_counts)
     std::reverse(parts.begin(), parts.end());
   std::string conclusion = fmt::format("{}: {}", Headline(code), fmt::join(parts, "; "));
   const std::size_t improved = ImprovedCount(report);

@@ -18,10 +18,12 @@ struct SuiteCounts {
   int skipped = 0;
   double seconds = 0;
 
-  void Add(Verdict verdict, double took) {
+  void Add(Verdict verdict, bool counts, double took) {
     ++tests;
     seconds += took;
-    if (verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut) {
+    if (IsFailure(verdict) && !counts) {
+      ++skipped;
+    } else if (verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut) {
       ++errors;
     } else if (IsFailure(verdict)) {
       ++failures;
@@ -61,7 +63,8 @@ std::string AllSentences(const Outcome& outcome) {
   return text;
 }
 
-void WriteCase(const RunReport& report, const Outcome& outcome, std::ostream& out) {
+void WriteCase(const RunReport& report, const Outcome& outcome, bool counts,
+               std::ostream& out) {
   out << fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.6f}")",
                      XmlText(report.oracles[outcome.oracle].name),
                      XmlText(IdOf(report, outcome.scenario)),
@@ -77,7 +80,7 @@ void WriteCase(const RunReport& report, const Outcome& outcome, std::ostream& ou
   if (outcome.verdict == Verdict::kUndecidable) {
     out << fmt::format("      <system-out>{}</system-out>\n", details);
   } else if (outcome.verdict == Verdict::kKnown ||
-             outcome.verdict == Verdict::kUnsupported) {
+             outcome.verdict == Verdict::kUnsupported || !counts) {
     out << fmt::format("      <skipped type=\"{}\" message=\"{}\"/>\n", type, message);
   } else {
     const char* element =
@@ -92,15 +95,19 @@ void WriteCase(const RunReport& report, const Outcome& outcome, std::ostream& ou
 
 }  // namespace
 
-void WriteJUnit(const RunReport& report, std::ostream& out) {
+void WriteJUnit(const RunReport& report, const FailureRule& rule, std::ostream& out) {
+  const auto counts = [&](const Outcome& outcome) {
+    return outcome.decisive != nullptr &&
+           CountsAsFailure(*outcome.decisive, report, rule);
+  };
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   std::vector<SuiteCounts> suites(report.oracles.size());
   SuiteCounts total;
   for (const Outcome& outcome : outcomes) {
     if (!outcome.asked) continue;
     const double seconds = SecondsOf(report, outcome.oracle, outcome.scenario);
-    suites[outcome.oracle].Add(outcome.verdict, seconds);
-    total.Add(outcome.verdict, seconds);
+    suites[outcome.oracle].Add(outcome.verdict, counts(outcome), seconds);
+    total.Add(outcome.verdict, counts(outcome), seconds);
   }
   const int faults = static_cast<int>(report.faults.size());
   total.tests += faults;
@@ -121,7 +128,7 @@ void WriteJUnit(const RunReport& report, std::ostream& out) {
         o == 0 ? "subject" : "reference");
     for (std::size_t s = 0; s < QuestionCount(report); ++s) {
       const Outcome& outcome = outcomes[s * report.oracles.size() + o];
-      if (outcome.asked) WriteCase(report, outcome, out);
+      if (outcome.asked) WriteCase(report, outcome, counts(outcome), out);
     }
     out << "  </testsuite>\n";
   }

@@ -13,6 +13,6 @@ namespace touchstone {
  with its reason (as pytest writes its expected failures); proved wrong, disagreeing and
  invalid as failures; crashed and timed out as errors. `time` is SecondsOf() the answer
  or world. */
-void WriteJUnit(const RunReport& report, std::ostream& out);
+void WriteJUnit(const RunReport& report, const FailureRule& rule, std::ostream& out);
 
 }  // namespace touchstone

@@ -121,13 +121,10 @@ std::size_t WidthWithin(const TableStyle& style) {
 
 void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
                    const TableStyle& style, const Painter& paint, std::ostream& out) {
-  const auto counts = [&](const Finding& finding) {
-    return CountsAsFailure(finding, report, style.rule);
-  };
   std::size_t last = QuestionCount(report);
   for (const Outcome& outcome : outcomes) {
     if (!IsFailure(outcome.verdict)) continue;
-    if (style.quiet && std::ranges::none_of(outcome.findings, counts)) continue;
+    if (style.quiet && !CountsAsFailure(*outcome.decisive, report, style.rule)) continue;
     if (outcome.scenario != last) {
       last = outcome.scenario;
       out << '\n'

@@ -171,15 +171,20 @@ TEST_F(CommandLineTest, CountsAReferencesFailureUnlessOnlyTheSubjectsCount) {
 }
 
 TEST_F(CommandLineTest, CountsFailuresAboveAGradeOnly) {
-  const std::string run = "run --subject half_depth " + Path("mine/deep.toml");
+  const std::string run =
+      "run --subject half_depth --against right " + Path("mine/deep.toml");
+  EXPECT_EQ(Touchstone(run + " --fail-above 1e-6").code, 1);
   EXPECT_EQ(Touchstone(run + " --fail-above 1e-3").code, 1);
+  EXPECT_EQ(Touchstone(run + " --fail-above touching").code, 0);
   const Ended ended = Touchstone(run + " --fail-above 0.1");
-  EXPECT_EQ(ended.code, 1) << "thrower";
-  const Ended alone = Touchstone(run + " --against right --fail-above 0.1");
-  EXPECT_EQ(alone.code, 0) << alone.out << alone.err;
-  EXPECT_THAT(alone.out,
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out,
               HasSubstr("--fail-above: no failure that counts is graver than 'over "
                         "0.001'\n"));
+  EXPECT_EQ(
+      Touchstone("run --subject thrower --fail-above touching " + Path("mine/deep.toml"))
+          .code,
+      1);
 }
 
 TEST_F(CommandLineTest, ReportsAnExceptionOfAFunctionAndContinues) {

@@ -24,13 +24,14 @@ export const sizeMeaning = "The size of a length is the extent of the smaller bo
 /** The bands of faults. */
 export const faultBands: readonly Band[] = ["crash", "touch", "grave", "large", "small", "rounding"];
 
-/** The bands of verdicts that are no fault. */
-const bandOfVerdict: Record<string, Band> = { pass: "passed", undecidable: "undecidable", unsupported: "unasked", "not asked": "unasked" };
+/** The bands of verdicts that need no grade. */
+const bandOfVerdict: Record<string, Band> = { pass: "passed", undecidable: "undecidable", unsupported: "unasked", "not asked": "unasked", crashed: "crash", "timed out": "crash" };
 
-/** The band of a grade, in the order of `enum class Grade`. */
-const bandOfGrade: Band[] = ["rounding", "rounding", "small", "large", "grave", "touch", "crash"];
+/** The band of a grade, in the order of `enum class Grade`. Older programs had no grade for some faults without a size. */
+const bandOfGrade: Band[] = ["large", "rounding", "small", "large", "grave", "touch", "crash"];
 
-export const bandOf = (verdict: string, grade: number): Band => bandOfVerdict[verdict] ?? bandOfGrade[grade] ?? "crash";
+/** An invalid answer is unusable, unless it has the size of a normal that is not of unit length. */
+export const bandOf = (verdict: string, grade: number): Band => bandOfVerdict[verdict] ?? (verdict === "invalid" && (grade === 0 || grade > 4) ? "crash" : bandOfGrade[grade] ?? "crash");
 
 /** The same, by the name of the grade. */
 export const bandOfNamed = (verdict: string, grade: string): Band => bandOfVerdict[verdict] ?? faultBands.find((band) => bandTexts[band].name === grade) ?? "crash";
@@ -42,6 +43,6 @@ export function verdictBefore({ findings, names, ledger }: Report, finding: numb
 }
 
 /** The band of each finding, as an index into `bands`. */
-export function findBands({ findings: { verdict, grade }, names }: Report): Uint8Array {
-  return Uint8Array.from(verdict, (v, i) => bands.indexOf(bandOf(names.verdict[v] ?? "", grade[i])));
+export function findBands(report: Report): Uint8Array {
+  return Uint8Array.from(report.findings.grade, (grade, i) => bands.indexOf(bandOf(verdictBefore(report, i), grade)));
 }

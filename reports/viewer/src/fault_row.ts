@@ -70,6 +70,6 @@ export function faultRow(run: Run, c: number, rank: number): HTMLElement {
     cell("card-engines", enginesOf(run, cluster.oracles)),
     cell("card-size", h("p", {}, h("b", { class: "size" }, size.value), size.part && [" ", h("span", { class: "part" }, size.part)]),
       h("p", { class: "extent" }, h("a", { href: faultAddress(run, c), title: extentOf(cluster) }, `in ${counted(cluster.questions.length, "question")}`))),
-    cell("card-why", h("p", { class: "card-head" }, badge(bandOfCluster(run, cluster)), responsibleMark(cluster) ?? h("span", cause === "" ? { title: `An answer without a number has none that a study could tell apart.${cluster.reason === "" ? "" : ` The ledger says: ${cluster.reason}`}` } : { title: causeTexts[cause]?.meaning ?? cause }, cause === "" ? "cause not studied" : causeTexts[cause]?.name ?? cause)),
+    cell("card-why", h("p", { class: "card-head" }, badge(bandOfCluster(cluster)), responsibleMark(cluster) ?? h("span", cause === "" ? { title: `An answer without a number has none that a study could tell apart.${cluster.reason === "" ? "" : ` The ledger says: ${cluster.reason}`}` } : { title: causeTexts[cause]?.meaning ?? cause }, cause === "" ? "cause not studied" : causeTexts[cause]?.name ?? cause)),
       h("p", { class: "card-status" }, status.name !== "" && h("span", { class: status.isFailure ? "new" : "quiet", title: status.meaning }, status.name), status.name !== "" && cluster.upstream !== "" && " · ", upstreamLink(cluster.upstream))));
 }

@@ -1,4 +1,4 @@
-import { bandOf, bands, faultBands, findBands, type Band } from "./bands";
+import { bandOf, bands, findBands, type Band } from "./bands";
 import type { Cluster, Report, Track } from "./data";
 import { decodeTrack, type ReportData } from "./decode";
 import { findLooks, type Look } from "./engines";
@@ -84,8 +84,5 @@ export function makeRun({ report, blob, text: textOf }: ReportData): Run {
 /** The engines and the size of a fault. The program says "scenario", and the page says "question". */
 export const extentOf = (cluster: Cluster): string => cluster.extent.replace(/\bscenario(s?)\b/g, "question$1");
 
-/** The band of a cluster: that of its worst finding. */
-export function bandOfCluster(run: Run, cluster: Cluster): Band {
-  const own = run.band[cluster.worst];
-  return own !== undefined && own < faultBands.length ? bands[own] : bandOf("fail", cluster.grade);
-}
+/** The band of a cluster: the gravest of its findings. */
+export const bandOfCluster = (cluster: Cluster): Band => bandOf("fail", cluster.grade);

@@ -48,7 +48,9 @@ std::vector<Verdict> Settled(const std::vector<Says>& voters, MeasureKind measur
   for (const Finding& finding : findings) {
     verdicts.push_back(finding.verdict);
     EXPECT_EQ(finding.verdict == Verdict::kDisagree, !finding.proof.empty());
-    EXPECT_EQ(finding.verdict == Verdict::kDisagree, finding.grade != Grade::kNone);
+    // They differ by 10 cm or more; the sphere has an extent of 50 cm.
+    EXPECT_EQ(finding.grade,
+              finding.verdict == Verdict::kDisagree ? Grade::kGross : Grade::kNone);
   }
   return verdicts;
 }

@@ -14,9 +14,9 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::string JUnit(const RunReport& report) {
+std::string JUnit(const RunReport& report, const FailureRule& rule = {}) {
   std::ostringstream out;
-  WriteJUnit(report, out);
+  WriteJUnit(report, rule, out);
   return out.str();
 }
 
@@ -26,6 +26,12 @@ TEST(WriteJUnit, CountsFailuresAndSkipsForADashboard) {
   EXPECT_THAT(JUnit(HandMadeReport()),
               HasSubstr("<testsuites name=\"touchstone\" tests=\"7\" failures=\"3\" "
                         "errors=\"0\" skipped=\"2\" time=\"0.000000\">"));
+}
+
+// A dashboard must not be red where the exit code is 0.
+TEST(WriteJUnit, SkipsFailuresThatDoNotCount) {
+  EXPECT_THAT(JUnit(HandMadeReport(), {.whose = FailOn::kSubject}),
+              HasSubstr("failures=\"2\" errors=\"0\" skipped=\"3\""));
 }
 
 TEST(WriteJUnit, SaysHowLongAnAnswerTookAndItsSuite) {

@@ -56,6 +56,11 @@ TEST(OutcomesOf, DecidesByAFalseHitBeforeItsMissingContacts) {
   EXPECT_EQ(OutcomesOf(report)[2].decisive->measure, MeasureKind::kTouching);
   touching.grade = Grade::kRounding;
   EXPECT_EQ(OutcomesOf(report)[2].verdict, Verdict::kInvalid);
+  // A normal that is short by a rounding hides no error of a depth.
+  missing.grade = Grade::kRounding;
+  touching.measure = MeasureKind::kSeparationError;
+  touching.grade = Grade::kGross;
+  EXPECT_EQ(OutcomesOf(report)[2].decisive->measure, MeasureKind::kSeparationError);
 }
 
 TEST(OutcomesOf, CountsTheReasonsOfUndecidableAnswersApart) {

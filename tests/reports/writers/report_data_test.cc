@@ -139,6 +139,7 @@ TEST(ReportData, RanksClustersAndRefersToThem) {
   EXPECT_EQ(clusters[0]["title"], "theirs/float gives an invalid answer.");
   EXPECT_EQ(clusters[0]["extent"], "In 1 scenario.");
   EXPECT_EQ(clusters[0]["counts"], true);
+  EXPECT_EQ(clusters[3]["counts"], false);  // The ledger knows it.
   EXPECT_EQ(data["ledger"][0]["fault"], "Float build.");
 }
 

@@ -322,7 +322,8 @@ TEST(WorldReport, JsonFollowsItsSchema) {
 }
 
 TEST(WorldReport, JUnitHasACaseForEachOracleThatSimulates) {
-  const std::string xml = Written([](const auto& r, auto& out) { WriteJUnit(r, out); });
+  const std::string xml =
+      Written([](const auto& r, auto& out) { WriteJUnit(r, {}, out); });
   EXPECT_THAT(xml, AllOf(HasSubstr("tests=\"3\""), HasSubstr("failures=\"1\""),
                          HasSubstr("skipped=\"1\"")));
 }

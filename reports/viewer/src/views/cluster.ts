@@ -29,7 +29,7 @@ export const clusterView: MakeView = (run, at) => {
   const found = [...orderBy(run, "severity")].filter((i) => f.cluster[i] === number);
   const question = report.questions[f.question[cluster.worst] ?? cluster.questions[0]];
   const worst = findingAddress(run, cluster.worst);
-  const band = bandOfCluster(run, cluster);
+  const band = bandOfCluster(cluster);
   const status = statusOf(run, cluster);
   const lengths = found.filter((i) => isLength(run, i)).map((i) => Math.abs(f.share[i]));
   const shares = lengths.filter((s) => s > 0);

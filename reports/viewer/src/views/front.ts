@@ -15,7 +15,7 @@ import { smallMatrix } from "./matrix";
 
 /** Orders of the faults: the largest value first, and equal ones in the order of the report. */
 const orders: { key: string; name: string; weighs: string; of(run: Run, cluster: number): number }[] = [
-  { key: "harm", name: "worst for a user first", weighs: "Graver first. 4 × the engines or 10 × the questions count as a grade more, only unusual questions as up to one less.", of: () => 0 },
+  { key: "harm", name: "worst for a user first", weighs: "Graver first. 4 × the engines or 10 × the questions count as a grade more, unusual questions as up to one less.", of: () => 0 },
   { key: "share", name: "largest share of the size first", weighs: "By the largest error as a share of the size. No usable answer comes first, counts come last.", of: (run, c) => (wordsOf(run, run.report.clusters[c].worst) in silentNouns ? Infinity : run.report.clusters[c].unit === "" ? -1 : run.report.clusters[c].share) },
   { key: "metres", name: "largest error in metres first", weighs: "By the largest error that is a length, in metres. Others come last.", of: ({ report }, c) => (report.clusters[c].unit === "m" && typeof report.clusters[c].error === "number" ? report.clusters[c].error : -1) },
   { key: "questions", name: "most questions first", weighs: "By the number of questions that show the fault.", of: ({ report }, c) => report.clusters[c].questions.length },
@@ -81,7 +81,7 @@ function conclusionOf(run: Run): HTMLElement {
   if (report.sweep) return h("div", { class: "conclusion" }, h("p", {}, "These are failures that the sweep has kept, asked again, and the worst cases of each measure. ", h("a", { href: address(["sweep"]) }, "The sweep"), " says how often faults occur."));
   const reasons = reasonsToFail(run);
   const why: Child = report.failed ? (reasons.length ? [": ", inARow(reasons), "."] : ["."])
-    : report.clusters.length === 0 ? [": no fault was found."] : reasons.length === 0 ? [": every fault is in the ledger of accepted ones. A new one would fail it."] : [", although ", inARow(reasons), "."];
+    : report.clusters.length === 0 ? [": no fault was found."] : reasons.length === 0 ? [": every fault is in the ledger of accepted ones."] : [", although ", inARow(reasons), "."];
   return h("p", { class: report.failed ? "conclusion failed" : "conclusion" },
     h("span", { class: "passes" }, h("b", {}, report.failed ? "✗ The run fails" : "✓ The run passes"), why), " ", subjectOf(run));
 }
@@ -131,7 +131,7 @@ const firstFaults = 10;
 
 export const frontView: MakeView = (run, start) => {
   const { report } = run;
-  const clusterBands: Band[] = report.clusters.map((c) => bandOfCluster(run, c));
+  const clusterBands: Band[] = report.clusters.map((c) => bandOfCluster(c));
   let shown: number[] = [];
   let chosen = -1;
 

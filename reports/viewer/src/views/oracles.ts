@@ -33,7 +33,7 @@ export const oraclesView: MakeView = (run, at) => {
   const element = h("section", {}, h("h1", {}, engine(run, index)),
     h("p", {}, `${oracle.library} ${oracle.version}, ${arithmetic(oracle.unit_roundoff)}; answers ${kinds(oracle)}`, oracle.isolated && ", in a process of its own", index === subject && "; the subject of this run", "."),
     h("p", { class: "chips" }, bands.map((band, b) => per[b] > 0 && h("a", { class: `chip ${band}`, href: findingsAddress({ oracle: oracle.name, band }) }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, per[b].toLocaleString("en"))))),
-    mine.length > 0 && [h("h2", {}, "Its faults, the worst for a user first"), h("ol", {}, mine.map(({ c, i }) => h("li", { dir: "auto" }, badge(bandOfCluster(run, c)), " ", h("a", { href: faultAddress(run, i) }, c.title), " ", h("span", { class: "quiet" }, extentOf(c)))))],
+    mine.length > 0 && [h("h2", {}, "Its faults, the worst for a user first"), h("ol", {}, mine.map(({ c, i }) => h("li", { dir: "auto" }, badge(bandOfCluster(c)), " ", h("a", { href: faultAddress(run, i) }, c.title), " ", h("span", { class: "quiet" }, extentOf(c)))))],
     shippedOnly(run, index),
     h("h2", {}, "Settings of the adapter"),
     oracle.settings.length === 0 ? h("p", { class: "quiet" }, "None.") : h("table", { class: "plain" },
