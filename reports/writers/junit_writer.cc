@@ -21,14 +21,15 @@ struct SuiteCounts {
   void Add(Verdict verdict, bool counts, double took) {
     ++tests;
     seconds += took;
-    if (IsFailure(verdict) && !counts) {
+    const bool is_skipped = verdict == Verdict::kKnown ||
+                            verdict == Verdict::kUnsupported ||
+                            (IsFailure(verdict) && !counts);
+    if (is_skipped) {
       ++skipped;
     } else if (verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut) {
       ++errors;
     } else if (IsFailure(verdict)) {
       ++failures;
-    } else if (verdict == Verdict::kKnown || verdict == Verdict::kUnsupported) {
-      ++skipped;
     }
   }
 
