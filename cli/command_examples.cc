@@ -38,10 +38,8 @@ settings of the adapters: it hides no failure in a world of an oracle that is se
   touchstone run mine.toml --as-shipped --set ode:contact_erp=0.1
   touchstone run world --timings                 also print where the time went
 )",
-     "0 all pass or known; 1 failures of the subject, of a reference by more than "
-     "rounding,\n"
-     "or of a file (--fail-on and --fail-above choose others); 2 bad input, or nothing "
-     "of the\n"
+     "0 all pass or known; 1 failures of the subject, of a file, or of a reference by\n"
+     "more than rounding (see --fail-on, --fail-above); 2 bad input, or nothing of the\n"
      "subject was verified, even if references fail"},
     {"report", R"(
 
@@ -171,7 +169,7 @@ submits again the shards that failed, which go on from where they were.
   touchstone sweep world --family slides,stacks --subject ode --set ode:contact_erp=0.2 --quiet
   touchstone sweep world --subject all --count 100000 --seed 7 --time 8h --out worlds
 )",
-     "0 no failures; 1 failures, of those graver than --fail-above; 2 bad input or\n"
+     "0 no failures; 1 failures, only graver ones with --fail-above; 2 bad input or\n"
      "nothing verified; 130 after Ctrl-C; with --status, 1 until it is complete"},
     {"serve", R"(
 

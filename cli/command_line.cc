@@ -37,6 +37,7 @@
 #include "cli/input_error.h"
 #include "cli/line_error.h"
 #include "reports/bench/scene.h"
+#include "reports/finding/grade.h"
 #include "reports/worlds/study/check_claims.h"
 #include "scenarios/schema/scenario_schema.h"
 
@@ -309,9 +310,10 @@ class CommandLine {
                                : whose == "faults" ? FailOn::kFaults
                                                    : FailOn::kAnything;
            },
-           "failures that give exit code 1: those of the subject (for your own CI); "
-           "faults (default), also those of references that are graver than rounding; "
-           "or anything")
+           "failures that give exit code 1: subject (for your own CI), those of the "
+           "subject; faults (default), also those of references unless they are "
+           "rounding; "
+           "anything, all")
         ->check(OneOf({"subject", "faults", "anything"}))
         ->type_name("SCOPE");
     AddFailAbove(app, run_.rule.above);
@@ -530,13 +532,11 @@ class CommandLine {
     app->add_option_function<std::string>(
            "--fail-above",
            [&above](const std::string& size) {
-             above = size == "1e-6"   ? Grade::kRounding
-                     : size == "1e-3" ? Grade::kSmall
-                     : size == "0.1"  ? Grade::kLarge
-                                      : Grade::kGross;
+             above = size == "touching" ? Grade::kGross : GradeOfShare(std::stod(size));
            },
-           "failures up to that share of the size do not give exit code 1: 1e-6, 1e-3 "
-           "or 0.1; touching: all but wrong hits and misses, and unusable answers")
+           "failures up to that share of the smaller body do not give exit code 1: 1e-6, "
+           "1e-3 or 0.1; with touching, only wrong hits and misses and unusable answers "
+           "do")
         ->check(OneOf({"1e-6", "1e-3", "0.1", "touching"}))
         ->type_name("GRADE");
   }

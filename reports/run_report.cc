@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <span>
 
-#include "reports/finding/decisive.h"
 #include "reports/finding/grade.h"
 
 namespace touchstone {
@@ -43,24 +42,19 @@ std::size_t ImprovedCount(const RunReport& report) {
       }));
 }
 
-/** Returns whether `is_so` of the findings of any one answer. */
-template <typename IsSo>
-bool AnyAnswer(const RunReport& report, IsSo is_so) {
+bool IsSubjectExamined(const RunReport& report) {
   const std::span<const Finding> findings = report.findings;
   for (std::size_t begin = 0, end = 0; begin < findings.size(); begin = end) {
     while (end < findings.size() && findings[end].oracle == findings[begin].oracle &&
            findings[end].scenario == findings[begin].scenario) {
       ++end;
     }
-    if (is_so(findings.subspan(begin, end - begin))) return true;
+    if (findings[begin].oracle == report.subject &&
+        IsVerified(findings.subspan(begin, end - begin))) {
+      return true;
+    }
   }
   return false;
-}
-
-bool IsSubjectExamined(const RunReport& report) {
-  return AnyAnswer(report, [&](std::span<const Finding> answer) {
-    return answer.front().oracle == report.subject && IsVerified(answer);
-  });
 }
 
 bool CountsAsFailure(const Finding& finding, const RunReport& report,
@@ -71,20 +65,18 @@ bool CountsAsFailure(const Finding& finding, const RunReport& report,
 }
 
 int ExitCode(const RunReport& report, const FailureRule& rule) {
-  const auto fails = [&](std::span<const Finding> answer) {
-    return CountsAsFailure(*DecisiveOf(answer), report, rule);
-  };
-  const auto subject_fails = [&](std::span<const Finding> answer) {
-    return answer.front().oracle == report.subject && fails(answer);
+  const auto fails = [&](const Finding& f) { return CountsAsFailure(f, report, rule); };
+  const auto subject_fails = [&](const Finding& f) {
+    return f.oracle == report.subject && fails(f);
   };
   const auto subject_got_worse = [&](const Regression& r) {
     return r.oracle == report.subject;
   };
-  if (AnyAnswer(report, subject_fails) ||
+  if (std::ranges::any_of(report.findings, subject_fails) ||
       std::ranges::any_of(report.regressions, subject_got_worse))
     return 1;
   if (!IsSubjectExamined(report)) return 2;
-  if (!report.faults.empty() || AnyAnswer(report, fails)) return 1;
+  if (!report.faults.empty() || std::ranges::any_of(report.findings, fails)) return 1;
   return rule.whose != FailOn::kSubject && !report.regressions.empty() ? 1 : 0;
 }
 

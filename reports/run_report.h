@@ -61,8 +61,7 @@ const std::string& TitleOf(const RunReport& report, std::size_t i);
 /** Returns whether an oracle answers questions of the kind of question i at all. */
 bool Answers(const RunReport& report, std::size_t oracle, std::size_t i);
 
-/** Whose failures count for the exit code, apart from faults of files, which always do.
- */
+/** Whose failures count for the exit code. Faults of files always do. */
 enum class FailOn {
   kSubject,   ///< The subject's.
   kFaults,    ///< Also those of references that are graver than rounding.
@@ -76,8 +75,7 @@ struct FailureRule {
   Grade above = Grade::kNone;
 };
 
-/** Returns whether an answer in `report` is a failure that counts.
- @param finding The one that decides its verdict, see DecisiveOf(). */
+/** Returns whether `finding` of `report` is a failure that counts. */
 bool CountsAsFailure(const Finding& finding, const RunReport& report,
                      const FailureRule& rule);
 

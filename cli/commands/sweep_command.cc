@@ -364,7 +364,7 @@ int ExitCodeOf(const Swept& swept, const std::vector<SubjectSummary>& subjects,
   const auto any = [&subjects](auto is_so) {
     return std::any_of(subjects.begin(), subjects.end(), is_so);
   };
-  if (any([](const SubjectSummary& s) { return s.counted > 0; })) return 1;
+  if (any([](const SubjectSummary& s) { return s.fails; })) return 1;
   const auto is_verified = [](const SubjectSummary& s) { return s.examined > 0; };
   // With `all`, nobody has said that each of them supports the questions.
   if (all_subjects && any(is_verified)) return 0;

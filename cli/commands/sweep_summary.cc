@@ -78,11 +78,13 @@ void Add(const OracleTally& tally, const Series& of, std::size_t series, Grade a
     if (kind.verdict != Verdict::kUnsupported) summary.answers += count;
     if (!IsFailure(kind.verdict)) continue;
     summary.failed += count;
-    if (IsGraver(kind.grade, above)) summary.counted += count;
     FailureCluster& cluster = summary.clusters[KindOf(kind)];
     cluster.count += count;
     cluster.grade = std::max(cluster.grade, kind.grade);
   }
+  // The decisive finding of an answer need not have the gravest grade.
+  for (const auto& [kind, count] : tally.findings)
+    summary.fails |= IsFailure(kind.verdict) && IsGraver(kind.grade, above);
   for (const auto& [kind, failures] : tally.failures) {
     FailureCluster& cluster = summary.clusters[KindOf(kind)];
     for (const FailedQuestion& failure : failures) {

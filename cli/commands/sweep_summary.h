@@ -34,12 +34,12 @@ struct SubjectSummary {
   /** Verified answers; of generated contact questions, those to questions that touch. */
   std::uint64_t examined = 0;
   std::uint64_t failed = 0;
-  std::uint64_t counted = 0;  ///< Failures that count for the exit code.
+  bool fails = false;  ///< Whether any failure counts for the exit code.
   std::map<FailureKind, FailureCluster> clusters;
 };
 
 /** Prints one row per series and subject of a sweep to standard output. Returns the sums
- per subject. Failures that are graver than `above` are `counted`. */
+ per subject. Failures count for the exit code if they are graver than `above`. */
 std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade above);
 
 /** Prints the failures of each subject by kind, the most frequent first, with the

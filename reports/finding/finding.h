@@ -35,10 +35,10 @@ enum class Undecided {
   kOpposed,     ///< The sign is certified, and the answer denies it, within its rounding.
 };
 
-/** How bad a fault is, from the mildest to the gravest: the one scale of the console, the
- page, sweeps and triage. Lengths are divided by the extent of the smaller body, see
- ShareOf(). Angles [rad], fractions and counts are compared directly. What has no size,
- such as a missing contact or an order of convergence, is kLarge at most. */
+/** How bad a fault is, from the mildest to the gravest. Console, page, sweeps and triage
+ have no other scale. The numbers are shares of a size: of the smaller body for a length
+ of a contact, see ShareOf() for others. Angles [rad], fractions and counts are compared
+ directly. A fault without a size, such as a missing contact, is at most kLarge. */
 enum class Grade {
   kNone,        ///< No fault.
   kRounding,    ///< At most 1e-6.

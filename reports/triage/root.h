@@ -44,8 +44,8 @@ std::vector<Specimen> Joined(std::vector<Specimen> specimens);
 /** Failures with one root cause. */
 struct Root {
   RootKey key;
-  /** What goes wrong, in words. If the algorithm is one function, all failures that were
-   found in it, first the one that the smallest question shows; else that of the key. */
+  /** What goes wrong, in words: the failure of the key. For an algorithm that is one
+   function, all failures found in it; the smallest question shows the first. */
   std::vector<std::string> failures;
   std::vector<Specimen> specimens;  ///< The one of the plainest question first.
   /** How often it was found, by oracle and Asked::what: in all questions whose answers by
@@ -58,8 +58,8 @@ struct Root {
   std::uint64_t in_variants = 0;
   Grade grade = Grade::kNone;  ///< The gravest that was found.
   Rate gravest;                ///< That of `grade` alone.
-  /** The number of the grade plus ½ log10 of the rate of that grade. A step
-   of one grade counts as much as a rate a hundred times as high. [-] */
+  /** The number of the grade plus ½ log10 of the rate of that grade. A step of one grade
+   counts as much as a rate a hundred times as high. [-] */
   double rank = 0;
 
   const Specimen& smallest() const { return specimens.front(); }

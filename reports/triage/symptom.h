@@ -48,8 +48,8 @@ struct Symptom {
 /** The symptoms found so far. */
 using Symptoms = std::map<Symptom::Key, Symptom>;
 
-/** Returns `symptoms` with their keys, the gravest first: by grade, then by
- share. Each keeps four questions, see Symptom::kept. Leaves out those without a
+/** Returns `symptoms` with their keys, the gravest first: by grade, then by share.
+ Each keeps four questions, see Symptom::kept. Leaves out those without a
  question.
  @pre The questions can be read. */
 std::vector<Symptom> GravestFirst(const Symptoms& symptoms);

@@ -109,8 +109,7 @@ std::string ConclusionOf(const RunReport& report, std::span<const Outcome> outco
   const int code = ExitCode(report, rule);
   const bool a_reference_counts =
       std::ranges::any_of(outcomes, [&](const Outcome& outcome) {
-        return outcome.oracle != 0 && outcome.decisive != nullptr &&
-               CountsAsFailure(*outcome.decisive, report, rule);
+        return outcome.oracle != 0 && CountsAsFailure(outcome, report, rule);
       });
   if (code == 1 && of_subject.failed() == 0 && a_reference_counts)
     std::reverse(parts.begin(), parts.end());

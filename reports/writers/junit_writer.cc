@@ -98,8 +98,7 @@ void WriteCase(const RunReport& report, const Outcome& outcome, bool counts,
 
 void WriteJUnit(const RunReport& report, const FailureRule& rule, std::ostream& out) {
   const auto counts = [&](const Outcome& outcome) {
-    return outcome.decisive != nullptr &&
-           CountsAsFailure(*outcome.decisive, report, rule);
+    return CountsAsFailure(outcome, report, rule);
   };
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   std::vector<SuiteCounts> suites(report.oracles.size());

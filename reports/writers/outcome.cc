@@ -62,6 +62,13 @@ int VerdictCounts::total() const {
   return sum;
 }
 
+bool CountsAsFailure(const Outcome& outcome, const RunReport& report,
+                     const FailureRule& rule) {
+  return std::ranges::any_of(outcome.findings, [&](const Finding& finding) {
+    return CountsAsFailure(finding, report, rule);
+  });
+}
+
 std::string RelativeInWords(const Finding& finding) {
   const double relative = RelativeToTolerance(finding);
   if (std::isfinite(relative)) return fmt::format("{:.2g} × tolerance", relative);

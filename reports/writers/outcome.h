@@ -59,6 +59,10 @@ struct Outcome {
   bool asked = true;
 };
 
+/** Returns whether any finding of an outcome of `report` is a failure that counts. */
+bool CountsAsFailure(const Outcome& outcome, const RunReport& report,
+                     const FailureRule& rule);
+
 /** Returns the value of `finding` relative to its tolerance: "2.1 × tolerance", or "1
  where 0 is allowed" if the tolerance is zero. */
 std::string RelativeInWords(const Finding& finding);

@@ -124,7 +124,7 @@ void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
   std::size_t last = QuestionCount(report);
   for (const Outcome& outcome : outcomes) {
     if (!IsFailure(outcome.verdict)) continue;
-    if (style.quiet && !CountsAsFailure(*outcome.decisive, report, style.rule)) continue;
+    if (style.quiet && !CountsAsFailure(outcome, report, style.rule)) continue;
     if (outcome.scenario != last) {
       last = outcome.scenario;
       out << '\n'

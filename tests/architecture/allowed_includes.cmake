@@ -84,7 +84,7 @@ list(APPEND own_rules
   "cli/slurm/ => cli/(input_error|shell)[.]h|reports/text/shell_quoted[.]h"
   "cli/commands/ => cli/|oracles/protocol/(command|external_oracle|serve)[.]h|reports/(accuracy|adapter_check|baseline|bench|finding|journal|ledger|referee|reproduce|shrink|sweep|text|threads|triage|writers)/|scenarios/"
   # The command line is the only file that knows the commands.
-  "cli/command_line[.]cc => cli/|reports/(bench/scene|worlds/study/check_claims)[.]h|scenarios/schema/")
+  "cli/command_line[.]cc => cli/|reports/(bench/scene|finding/grade|worlds/study/check_claims)[.]h|scenarios/schema/")
 
 # The headers of a third-party library may be included only by the files that wrap it.
 set(library_rules

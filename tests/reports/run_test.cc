@@ -326,32 +326,54 @@ TEST(ExitCode, CountsTheReferencesOnlyOnRequest) {
             1);
 }
 
+/** Returns the exit code where `subject` and `reference` are asked for a separation. */
+int CodeOf(const Oracle& subject, const Oracle& reference, const FailureRule& rule) {
+  const std::vector<Scenario> scenarios = {
+      ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)};
+  return ExitCode(RunAll(scenarios, {&subject, &reference}), rule);
+}
+
+/** Returns an oracle with an error of `error` in its separation. [m] */
+FakeOracle OffBy(double error) {
+  return FakeOracle::Wrong("off", [error](const ContactQuery&, ContactAnswer& answer) {
+    *answer.separation += error;
+  });
+}
+
 // Another engine's last digits must not fail a user's run.
 TEST(ExitCode, LeavesOutReferencesThatAreWrongByARounding) {
   const FakeOracle right("right");
-  const FakeOracle inexact = FakeOracle::Wrong(
-      "inexact",
-      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation += 1e-9; });
-  const std::vector<Scenario> scenarios = {
-      ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)};
-  const RunReport as_reference = RunAll(scenarios, {&right, &inexact});
-  EXPECT_EQ(ExitCode(as_reference, {}), 0);
-  EXPECT_EQ(ExitCode(as_reference, {.whose = FailOn::kAnything}), 1);
-  EXPECT_EQ(ExitCode(RunAll(scenarios, {&inexact, &right}), {}), 1);
+  const FakeOracle inexact = OffBy(1e-9);
+  EXPECT_EQ(CodeOf(right, inexact, {}), 0);
+  EXPECT_EQ(CodeOf(right, inexact, {.whose = FailOn::kAnything}), 1);
+  EXPECT_EQ(CodeOf(inexact, right, {}), 1);
+  EXPECT_EQ(CodeOf(right, OffBy(1e-4), {}), 1);
 }
 
 TEST(ExitCode, IsOfFailuresAboveAGrade) {
   const FakeOracle right("right");
-  const FakeOracle wrong = FakeOracle::Wrong(
-      "wrong",
-      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation += 1e-4; });
-  const std::vector<Scenario> scenarios = {
-      ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)};
-  for (const RunReport& report :
-       {RunAll(scenarios, {&right, &wrong}), RunAll(scenarios, {&wrong, &right})}) {
-    EXPECT_EQ(ExitCode(report, {.above = Grade::kRounding}), 1);
-    EXPECT_EQ(ExitCode(report, {.above = Grade::kSmall}), 0);
+  const FakeOracle wrong = OffBy(1e-4);
+  for (const auto& [subject, reference] :
+       {std::pair<const Oracle&, const Oracle&>(right, wrong), {wrong, right}}) {
+    EXPECT_EQ(CodeOf(subject, reference, {.above = Grade::kRounding}), 1);
+    EXPECT_EQ(CodeOf(subject, reference, {.above = Grade::kSmall}), 0);
   }
+}
+
+// A depth that is off in the last digits decides the verdict before a missing contact.
+TEST(ExitCode, IsOfTheGravestFindingOfAnAnswer) {
+  const FakeOracle right("right");
+  RunReport report =
+      RunAll({ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)}, {&right});
+  for (Finding& finding : report.findings) {
+    if (finding.measure == MeasureKind::kSeparationError)
+      std::tie(finding.verdict, finding.grade) =
+          std::pair(Verdict::kFail, Grade::kRounding);
+    if (finding.measure == MeasureKind::kContactCount)
+      std::tie(finding.verdict, finding.grade) = std::pair(Verdict::kFail, Grade::kLarge);
+  }
+  EXPECT_EQ(ExitCode(report, {.above = Grade::kSmall}), 1);
+  EXPECT_EQ(ExitCode(report, {.above = Grade::kLarge}), 0);
 }
 
 /** Returns the radius of the sphere of a question. [m] */

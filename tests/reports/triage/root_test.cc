@@ -164,7 +164,7 @@ TEST(Roots, OfAClosedFormHaveAllThatGoesWrong) {
               HasSubstr("(closed_form) misses a contact, states a wrong depth: box and"));
   EXPECT_THAT(FolderOf(roots[0]), HasSubstr("closed_form_is_wrong_box_and_sphere"));
   EXPECT_EQ(roots[0].rate.failed, 10U);
-  // What goes wrong anew in a function that was wrong before is new.
+  // Another failure of a function that has failed before is new.
   EXPECT_THAT(
       KeyLinesOf(roots[0]),
       ElementsAre("Lib | closed_form | misses a contact |  | box and sphere",
