@@ -67,6 +67,8 @@ std::string WhatIsMissing(const CLI::App& command, const CLI::ParseError& error)
     if (option->get_required() && option->count() == 0) {
       return fmt::format("{} is missing: {}", name, option->get_description());
     }
+    if (static_cast<int>(option->results().size()) > option->get_items_expected_max())
+      return fmt::format("{} is given more than once; expected it once", name);
     if (error.get_name() == "ArgumentMismatch" && what.starts_with(name + ":")) {
       return fmt::format("{} is incomplete; expected {} {}", name, name,
                          option->get_type_name());

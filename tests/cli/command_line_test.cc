@@ -944,6 +944,12 @@ TEST_F(CommandLineTest, SaysThatAnOptionIsIncompleteIfItTakesAnotherAsItsValue) 
   EXPECT_THAT(ended.err, HasSubstr("--pair is incomplete; expected --pair SHAPE SHAPE"));
 }
 
+TEST_F(CommandLineTest, SaysThatAnOptionIsGivenMoreThanOnce) {
+  EXPECT_THAT(Touchstone("run --out a --out b").err,
+              HasSubstr("--out is given more than once; expected it once"));
+  EXPECT_THAT(Touchstone("run --out").err, HasSubstr("--out is incomplete"));
+}
+
 TEST_F(CommandLineTest, SaysThatAShardDoesNotExist) {
   const Ended ended = Touchstone("merge -o merged.sqlite " + Path("none.sqlite"));
   EXPECT_EQ(ended.code, 2);
