@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "reports/bench/median.h"
-#include "reports/measures/separation_error.h"
+#include "reports/measures/outside.h"
 #include "reports/referee/referee.h"
 #include "scenarios/generators/generate.h"
 
@@ -76,7 +76,7 @@ SampleAccuracy AccuracyOf(const Oracle& oracle, std::span<const ContactQuery> qu
     if (wrong) ++accuracy.wrong_verdicts;
     if (!answers[i].separation) continue;
     ++accuracy.measured;
-    const double error = SeparationError(truths[i], *answers[i].separation);
+    const double error = Outside(*answers[i].separation, truths[i].separation);
     // Written so that a NaN counts as the worst.
     if (!(error <= accuracy.worst_error)) accuracy.worst_error = error;
     if (std::isnan(accuracy.worst_error)) accuracy.worst_error = HUGE_VAL;

@@ -13,7 +13,6 @@
 
 #include "reports/contacts/grade.h"
 #include "reports/contacts/normal_claim.h"
-#include "reports/contacts/proof.h"
 #include "reports/contacts/tolerance_reasons.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/answer_change.h"

@@ -8,10 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "reports/contacts/checks/excess.h"
 #include "reports/contacts/exact_scene.h"
-#include "reports/contacts/proof.h"
 #include "reports/contacts/tolerances.h"
-#include "reports/measures/excess.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/overlap_along.h"
 #include "reports/referee/referee.h"

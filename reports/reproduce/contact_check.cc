@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "reports/contacts/checks/witness_error.h"
 #include "reports/contacts/normal_claim.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/stated.h"
-#include "reports/measures/witness_error.h"
 #include "reports/reproduce/cpp_text.h"
 #include "reports/reproduce/surface_text.h"
 

@@ -6,12 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "reports/contacts/missed_point.h"
+#include "reports/contacts/checks/contact_off_patch.h"
+#include "reports/contacts/checks/missed_point.h"
+#include "reports/contacts/checks/patch_coverage.h"
 #include "reports/contacts/tolerances.h"
-#include "reports/measures/contact_count.h"
-#include "reports/measures/contact_off_patch.h"
 #include "reports/measures/overlap_along.h"
-#include "reports/measures/patch_coverage.h"
 #include "reports/measures/stated.h"
 #include "reports/referee/referee.h"
 #include "reports/reproduce/contact_check.h"

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "reports/contacts/exact_scene.h"
-#include "reports/contacts/proof.h"
 #include "reports/text/counted.h"
 #include "reports/text/format_vector.h"
 

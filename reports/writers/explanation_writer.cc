@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/contacts/proof.h"
 #include "reports/text/counted.h"
 #include "reports/text/format_vector.h"
 #include "reports/worlds/study/run_claims.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "oracles/no_answer.h"
-#include "reports/measures/contact_surface_error.h"
+#include "reports/contacts/checks/contact_surface_error.h"
 #include "reports/referee/referee.h"
 
 namespace touchstone {

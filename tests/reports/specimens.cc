@@ -82,6 +82,14 @@ Specimen BoxOnBoxFace(double depth) {
   return specimen;
 }
 
+ContactPatch LowerFaceOf(const Specimen& box_on_box) {
+  ContactPatch patch;
+  for (const ContactPoint& contact : box_on_box.right.points)
+    patch.vertices_W.push_back(contact.p_WC);
+  patch.least_contacts = 4;
+  return patch;
+}
+
 Specimen SphereInHalfSpace(double depth) {
   constexpr double r = 1.0 / 3;
   const Pose X_WA = AwkwardPose();

@@ -42,6 +42,9 @@ Specimen SphereInBoxFace(double depth);
 /** Returns a box that penetrates the face of another by `depth`. [m] */
 Specimen BoxOnBoxFace(double depth);
 
+/** Returns B's lower face in BoxOnBoxFace(): its contacts, in order around it. */
+ContactPatch LowerFaceOf(const Specimen& box_on_box);
+
 /** Returns a sphere that penetrates a half-space by `depth`. [m] */
 Specimen SphereInHalfSpace(double depth);
 

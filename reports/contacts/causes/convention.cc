@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "reports/contacts/causes/unexplained.h"
+#include "reports/contacts/checks/excess.h"
+#include "reports/contacts/checks/separation_error.h"
 #include "reports/contacts/judge_answer.h"
 #include "reports/contacts/tolerances.h"
-#include "reports/measures/excess.h"
 #include "reports/measures/outside.h"
-#include "reports/measures/separation_error.h"
 #include "reports/measures/stated.h"
 
 namespace touchstone {

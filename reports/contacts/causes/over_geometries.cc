@@ -15,7 +15,7 @@
 #include "reports/contacts/causes/convention.h"
 #include "reports/contacts/causes/margin.h"
 #include "reports/contacts/causes/unexplained.h"
-#include "reports/measures/excess.h"
+#include "reports/contacts/checks/excess.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/stated.h"
 

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/contacts/proof.h"
-#include "reports/measures/mixed_normals.h"
+#include "reports/contacts/checks/mixed_normals.h"
 #include "reports/text/format_vector.h"
 
 namespace touchstone {

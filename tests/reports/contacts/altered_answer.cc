@@ -8,9 +8,9 @@
 #include <Eigen/Geometry>
 
 #include "reports/contacts/body_size.h"
+#include "reports/contacts/checks/contact_surface_error.h"
+#include "reports/contacts/checks/patch_coverage.h"
 #include "reports/contacts/exact_scene.h"
-#include "reports/measures/contact_surface_error.h"
-#include "reports/measures/patch_coverage.h"
 #include "reports/referee/referee.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/referee/second_referee.h"

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "reports/contacts/checks/contact_surface_error.h"
 #include "reports/contacts/judge_answer.h"
-#include "reports/measures/contact_surface_error.h"
 #include "reports/referee/referee.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/specimens.h"
