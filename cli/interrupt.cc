@@ -1,8 +1,11 @@
 #include "cli/interrupt.h"
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <ctime>
+
+#include "oracles/isolation/living_child.h"
 
 namespace touchstone {
 namespace {
@@ -10,6 +13,8 @@ namespace {
 // The signal of the request, and its time in milliseconds.
 std::atomic<int> received = 0;
 std::atomic<long long> received_at = 0;
+std::atomic<bool> ends_engines = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 static_assert(std::atomic<int>::is_always_lock_free);
 static_assert(std::atomic<long long>::is_always_lock_free);
 
@@ -24,19 +29,23 @@ long long Now() {
 }
 
 void Receive(int signal) {
+  const int error = errno;  // Of the function that was interrupted.
   if (received == 0) {
     received_at = Now();
-    received = signal;
+    received = signal;  // Before a child ends: nobody takes its end for a crash.
+    if (ends_engines) EndChildren();
   } else if (Now() - received_at > kSameRequest) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);  // Delivered at the return from this handler.
   }
+  errno = error;
 }
 
 }  // namespace
 
-Interrupt::Interrupt() {
+Interrupt::Interrupt(WorkingEngines engines) {
   received = 0;
+  ends_engines = engines == WorkingEngines::kEnd;
   std::signal(SIGINT, Receive);
   std::signal(SIGTERM, Receive);
 }

@@ -181,7 +181,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) try {
   }
   std::optional<Baseline> baseline;
   if (arguments.baseline) baseline = BaselineIn(*arguments.baseline);
-  const Interrupt interrupt;
+  const Interrupt interrupt(WorkingEngines::kEnd);
   std::optional<KeptWorlds> kept;
   options.stop = [&kept] {
     return (kept && kept->has_failed()) || Interrupt::signal() != 0;

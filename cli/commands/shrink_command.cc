@@ -21,7 +21,7 @@ int ShrinkCommand(const Session& session, const ShrinkArguments& arguments) {
     folder->Check(arguments.out->filename());
   }
   const ChosenFault fault = ChooseFault(session, arguments.fault);
-  const Interrupt interrupt;
+  const Interrupt interrupt(WorkingEngines::kFinish);
   std::optional<ProgressBar> bar;
   bar.emplace(session.terminal, arguments.quiet);
   const auto tries = static_cast<std::size_t>(arguments.tries);

@@ -430,7 +430,6 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) try {
   if (arguments.slurm.submit) return SubmitSweep(plan, arguments);
   std::optional<OutputFolder> out;
   if (arguments.out) out.emplace(*arguments.out);
-  const Interrupt interrupt;
   const Clock::time_point start = Clock::now();
   const auto is_time_over = [&] {
     return arguments.time && Clock::now() - start >= *arguments.time;
@@ -443,8 +442,12 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) try {
       .stop = [&] { return Interrupt::signal() != 0 || is_time_over(); },
       .on_progress = [&bar](std::uint64_t done,
                             std::uint64_t total) { bar->Show(done, total); }};
-  const Swept swept = arguments.out ? SweepInto(*arguments.out, plan, options)
-                                    : SweepInMemory(plan, options);
+  const auto sweep = [&] {
+    const Interrupt interrupt(WorkingEngines::kEnd);
+    return arguments.out ? SweepInto(*arguments.out, plan, options)
+                         : SweepInMemory(plan, options);
+  };
+  const Swept swept = sweep();
   bar.reset();
   const std::vector<SubjectSummary> subjects =
       PrintSweepTable(swept.file, arguments.fail_above);

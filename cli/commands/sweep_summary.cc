@@ -75,7 +75,8 @@ void Add(const OracleTally& tally, const Series& of, std::size_t series, Grade a
          SubjectSummary& summary) {
   summary.examined += ExaminedOf(of, tally);
   for (const auto& [kind, count] : tally.answers) {
-    if (kind.verdict != Verdict::kUnsupported) summary.answers += count;
+    (kind.verdict == Verdict::kUnsupported ? summary.unsupported : summary.answers) +=
+        count;
     if (!IsFailure(kind.verdict)) continue;
     summary.failed += count;
     FailureCluster& cluster = summary.clusters[KindOf(kind)];
@@ -171,6 +172,8 @@ void PrintFailureClusters(const SweepFile& file,
     const SubjectSummary& subject = subjects[i];
     std::cout << fmt::format("\n{}: {} failed", settings.subjects[i], subject.failed);
     if (subject.answers > 0) std::cout << fmt::format(" of {}", subject.answers);
+    if (subject.unsupported > 0)
+      std::cout << fmt::format("; {} more not supported", subject.unsupported);
     std::cout << '\n';
     std::vector<std::pair<FailureKind, FailureCluster>> clusters(subject.clusters.begin(),
                                                                  subject.clusters.end());

@@ -30,7 +30,8 @@ struct FailureCluster {
 
 /** The results of one subject, over all series. */
 struct SubjectSummary {
-  std::uint64_t answers = 0;  ///< Answers to questions that it supports.
+  std::uint64_t answers = 0;      ///< Answers to questions that it supports.
+  std::uint64_t unsupported = 0;  ///< Questions that it does not support.
   /** Verified answers; of generated contact questions, those to questions that touch. */
   std::uint64_t examined = 0;
   std::uint64_t failed = 0;

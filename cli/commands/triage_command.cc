@@ -24,6 +24,7 @@
 #include "reports/triage/known_faults.h"
 #include "reports/triage/root_files.h"
 #include "reports/triage/triage_index.h"
+#include "scenarios/validate_scenario.h"
 
 namespace touchstone {
 namespace {
@@ -119,6 +120,14 @@ std::string UniqueFolder(const Root& root, std::set<std::string>& names) {
   return name;
 }
 
+/** Returns how the ids of scenarios in `folder` of `path` begin. An id ends the path of
+ its file, so that `path`, and what it is in, can be read as catalogues. */
+std::string IdOfFolder(const std::filesystem::path& path, const std::string& folder) {
+  const std::string id =
+      (std::filesystem::absolute(path).filename() / folder).generic_string();
+  return IsScenarioId(id) ? id : folder;  // The name of `path` is the user's.
+}
+
 /** Writes the folder of a root. */
 IndexedRoot WriteRoot(const OutputFolder& out, const std::filesystem::path& path,
                       const Root& root, std::string folder,
@@ -127,9 +136,9 @@ IndexedRoot WriteRoot(const OutputFolder& out, const std::filesystem::path& path
     out.Write(std::filesystem::path(folder) / name,
               [&](std::ostream& to) { to << text; });
   };
-  const Specimen& smallest = root.smallest();
-  write("case.toml", CaseFile(root));
-  write("original.toml", TextOf(smallest.original));
+  const std::string id = IdOfFolder(path, folder);
+  write("case.toml", CaseFile(root, id + "/case"));
+  write("original.toml", OriginalFile(root, id + "/original"));
   const RootProgram program = ProgramOf(root);
   std::optional<ProgramOutput> output;
   if (program.files) {
@@ -148,8 +157,9 @@ IndexedRoot WriteRoot(const OutputFolder& out, const std::filesystem::path& path
 
 int TriageCommand(const Session& session, const TriageArguments& arguments) try {
   const std::filesystem::path source = FailuresFileIn(arguments.source);
-  const std::filesystem::path folder =
+  std::filesystem::path folder =
       arguments.out.empty() ? source.parent_path() / "triage" : arguments.out;
+  if (!folder.has_filename()) folder = folder.parent_path();  // "roots/"
   std::set<std::string> before;
   if (arguments.baseline) before = KeysIn(*arguments.baseline);
   if (std::error_code error; std::filesystem::exists(folder / "index.md", error)) {
@@ -160,7 +170,7 @@ int TriageCommand(const Session& session, const TriageArguments& arguments) try 
   }
   const OutputFolder out(folder);
 
-  const Interrupt interrupt;
+  const Interrupt interrupt(WorkingEngines::kFinish);
   const Clock::time_point start = Clock::now();
   const auto stop = [&] {
     return Interrupt::signal() != 0 ||

@@ -81,6 +81,7 @@ std::string Seconds(std::chrono::milliseconds duration) {
 
 ChildProcess::ChildProcess(const ChildLimits& limits, const Main& main)
     : limits_(limits) {
+  RequireThatChildrenMayStart();
   AllowForkUnderSanitizer();
   const std::lock_guard lock(fork_mutex);
   output_ = UnnamedFile("touchstone-output");
@@ -96,6 +97,7 @@ ChildProcess::ChildProcess(const ChildLimits& limits, const Main& main)
     if (getppid() != parent) _exit(0);  // The parent died before the call of prctl.
     RunChild(childs_end.get(), output_.get(), records_.get(), limits, main);
   }
+  living_.emplace(pid_);
 }
 
 ChildProcess::~ChildProcess() {
@@ -171,6 +173,7 @@ bool ChildProcess::IsDead() const {
 int ChildProcess::Kill() {
   if (pid_ < 0) return status_;
   kill(pid_, SIGKILL);
+  living_.reset();
   while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
   }
   pid_ = -1;

@@ -10,6 +10,7 @@
 
 #include "oracles/contact_answer.h"
 #include "oracles/isolation/child_context.h"
+#include "oracles/isolation/living_child.h"
 #include "oracles/isolation/message_socket.h"
 #include "oracles/isolation/unique_fd.h"
 
@@ -30,7 +31,8 @@ class ChildProcess {
   };
 
   /** Forks a child that calls `main` and exits with status 0.
-   @throws std::system_error if the system provides no process, socket or file. */
+   @throws std::system_error if the system provides no process, socket or file, or
+   after EndChildren(). */
   ChildProcess(const ChildLimits& limits, const Main& main);
 
   /** Kills the child if it is still running, and waits for its end. */
@@ -89,8 +91,9 @@ class ChildProcess {
   std::optional<std::string> recorded_;  // Its contents, once they have been read.
   std::size_t taken_ = 0;  // Bytes of `recorded_` that NextRecord() has returned.
   MessageSocket socket_;
-  pid_t pid_ = -1;  // Negative once the child has been waited for.
-  int status_ = 0;  // Wait status of the child.
+  pid_t pid_ = -1;                     // Negative once the child has been waited for.
+  std::optional<LivingChild> living_;  // Until then.
+  int status_ = 0;                     // Wait status of the child.
 };
 
 }  // namespace touchstone

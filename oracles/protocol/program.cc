@@ -203,6 +203,7 @@ Program::~Program() {
   if (!failed_) AwaitEnd();
   // Before it is waited for: after that, its number may be that of another group.
   kill(-started_.pid, SIGKILL);
+  living_.reset();
   while (waitpid(started_.pid, nullptr, 0) < 0 && errno == EINTR) {
   }
 }

@@ -3,8 +3,10 @@
 #include <csignal>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "oracles/contact_answer.h"
+#include "oracles/isolation/living_child.h"
 #include "oracles/protocol/answer_limits.h"
 #include "oracles/protocol/message.h"
 #include "oracles/protocol/start_program.h"
@@ -22,7 +24,8 @@ struct NoReply {
 class Program {
  public:
   /** @throws std::system_error as Start() does. */
-  explicit Program(const Command& command) : started_(Start(command)) {}
+  explicit Program(const Command& command)
+      : started_(Start(command)), living_(std::in_place, -started_.pid) {}
 
   /** Tells the program to end, waits for a moment, then kills its process group. */
   ~Program();
@@ -47,6 +50,7 @@ class Program {
   NoReply Ended();
 
   StartedProgram started_;
+  std::optional<LivingChild> living_;  // Until it has been waited for.
   std::string received_;  // From its standard output, not yet part of an answer.
   std::string tail_;      // The end of its standard error since the last Ask() began.
   int next_id_ = 0;

@@ -20,6 +20,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "oracles/isolation/living_child.h"
 #include "oracles/isolation/sanitized_fork.h"
 
 namespace touchstone {
@@ -154,6 +155,7 @@ StartedProgram Start(const Command& command) {
   const std::vector<char*> environment = Pointers(variables);
   const std::string folder = command.folder.string();
   const pid_t parent = getpid();
+  RequireThatChildrenMayStart();
   static Starter starter;
   const pid_t pid = starter.Run([&] {
     const pid_t child = fork();

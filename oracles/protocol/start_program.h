@@ -19,7 +19,8 @@ struct StartedProgram {
  when this process ends, however it ends; of several, e.g. "cd x && ./y", those that read
  their standard input end at its end. Libraries of linear algebra are told to use one
  thread, unless the environment says otherwise: two of our threads ask two programs.
- @throws std::system_error if the system provides no process, socket or pipe. */
+ @throws std::system_error if the system provides no process, socket or pipe, or after
+ EndChildren(). */
 StartedProgram Start(const Command& command);
 
 }  // namespace touchstone

@@ -18,11 +18,15 @@ std::string KindOfProof(const std::string& proof) {
   return kind.append(rest, proof.end());
 }
 
-std::string EndingOf(const Finding& finding) {
+std::string EndingInWords(const Finding& finding) {
   if (!IsUnusable(finding.verdict)) return "";
-  return KindOfProof(finding.proof.starts_with(finding.oracle + ": ")
-                         ? finding.proof.substr(finding.oracle.size() + 2)
-                         : finding.proof);
+  return finding.proof.starts_with(finding.oracle + ": ")
+             ? finding.proof.substr(finding.oracle.size() + 2)
+             : finding.proof;
+}
+
+std::string EndingOf(const Finding& finding) {
+  return KindOfProof(EndingInWords(finding));
 }
 
 }  // namespace touchstone

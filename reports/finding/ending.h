@@ -11,9 +11,12 @@ namespace touchstone {
  engine's source. */
 std::string KindOfProof(const std::string& proof);
 
-/** Returns how an answer that is missing or invalid ended, as KindOfProof() without the
- name of the oracle: by a signal, an assertion, an exception, or what is not a number.
- Empty for every other verdict. */
+/** Returns how an answer that is missing or invalid ended, its proof without the name of
+ the oracle: by a signal, an assertion, an exception, or what is not a number. Empty for
+ every other verdict. */
+std::string EndingInWords(const Finding& finding);
+
+/** Returns the kind of that, see KindOfProof(). */
 std::string EndingOf(const Finding& finding);
 
 }  // namespace touchstone

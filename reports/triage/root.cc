@@ -262,8 +262,9 @@ std::string TitleOf(const Root& root) {
       fmt::format("{} {}{} {}", key.library, key.version,
                   key.algorithm.empty() ? "" : fmt::format(" ({})", key.algorithm),
                   fmt::join(root.failures, ", "));
-  for (const std::string* const part : {&key.place, &key.shapes}) {
-    if (!part->empty()) title += ": " + *part;
+  // The numbers of the case that is shown: a key has none.
+  for (const std::string& part : {EndingInWords(root.smallest().finding), key.shapes}) {
+    if (!part.empty()) title += ": " + part;
     if (title.ends_with('.')) title.pop_back();
   }
   return title;

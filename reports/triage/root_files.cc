@@ -1,6 +1,7 @@
 #include "reports/triage/root_files.h"
 
 #include <sstream>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,6 +26,12 @@ std::string CodeBlock(const std::string& text) {
   for (std::string line; std::getline(lines, line);)
     block += line.empty() ? "\n" : "    " + line + "\n";
   return block;
+}
+
+/** Returns `question` with another id. */
+Question Renamed(Question question, const std::string& id) {
+  std::visit([&id](auto& scenario) { scenario.id = id; }, question);
+  return question;
 }
 
 /** Returns what was asked, in words and with its exact numbers. */
@@ -197,7 +204,7 @@ std::string KnownPart(const std::vector<std::string>& known) {
 
 }  // namespace
 
-std::string CaseFile(const Root& root) {
+std::string CaseFile(const Root& root, const std::string& id) {
   const Specimen& smallest = root.smallest();
   const Shrunk shrunk{.question = smallest.question,
                       .finding = smallest.finding,
@@ -205,7 +212,13 @@ std::string CaseFile(const Root& root) {
                       .shifts = smallest.shifts};
   return Commented(fmt::format("From {}.", IdOf(smallest.original)), "# ") +
          Commented(Sentence(smallest.finding), "# ") +
-         TextOf(ScenarioOf(shrunk, smallest.original));
+         TextOf(Renamed(ScenarioOf(shrunk, smallest.original), id));
+}
+
+std::string OriginalFile(const Root& root, const std::string& id) {
+  const Question& original = root.smallest().original;
+  return Commented(fmt::format("Asked as {}.", IdOf(original)), "# ") +
+         TextOf(Renamed(original, id));
 }
 
 RootProgram ProgramOf(const Root& root) {

@@ -9,9 +9,12 @@
 
 namespace touchstone {
 
-/** Returns case.toml: the smallest question as a scenario file that indicts the oracle.
- */
-std::string CaseFile(const Root& root);
+/** Returns case.toml: the smallest question as a scenario file that indicts the oracle,
+ with that id. */
+std::string CaseFile(const Root& root, const std::string& id);
+
+/** Returns original.toml: the question that it was shrunk from, with that id. */
+std::string OriginalFile(const Root& root, const std::string& id);
 
 /** A program that shows a root, or why there is none. */
 struct RootProgram {

@@ -31,7 +31,7 @@ set(own_rules
   # The interface of the oracles, and the child processes.
   "oracles/[a-z_]+[.] => scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
   "oracles/isolation/ => oracles/[a-z_]+[.]h"
-  "oracles/protocol/ => oracles/(isolation/(last_line|sanitized_fork|unique_fd)|[a-z_]+)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h")
+  "oracles/protocol/ => oracles/(isolation/(last_line|living_child|sanitized_fork|unique_fd)|[a-z_]+)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h")
 
 # No adapter includes another.
 foreach(adapter bullet cookbook dart fcl libccd mujoco ode)
@@ -79,7 +79,7 @@ list(APPEND own_rules
   "reports/triage/ => reports/((text|finding|clusters|shrink|sweep|reproduce|writers)/|contacts/judge_variant[.]h|ledger/glob[.]h|run(_report)?[.]h)|oracles/oracle[.]h|scenarios/(scenario_file|scenario|shape)[.]h"
   "reports/gtest/ => reports/((shrink|sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
-  "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|sweep/question_id[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry|protocol/(command|external_oracle|oracles_file))[.]h|scenarios/"
+  "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|sweep/question_id[.]h|worlds/study/check_claims[.]h)|oracles/(isolation/living_child|oracle|oracle_registry|protocol/(command|external_oracle|oracles_file))[.]h|scenarios/"
   # The only files that call a cluster; they know nothing of sweeps.
   "cli/slurm/ => cli/(input_error|shell)[.]h|reports/text/shell_quoted[.]h"
   "cli/commands/ => cli/|oracles/protocol/(command|external_oracle|serve)[.]h|reports/(accuracy|adapter_check|baseline|bench|finding|journal|ledger|referee|reproduce|shrink|sweep|text|threads|triage|writers)/|scenarios/"

@@ -776,6 +776,11 @@ TEST_F(CommandLineTest, FindsTheRootCausesOfASweep) {
   EXPECT_THAT(again.out, HasSubstr("2 root causes, 0 of them new since the baseline."));
   EXPECT_EQ(TextOf(Path("again/roots.txt")), TextOf(Path("night/triage/roots.txt")));
 
+  // The sweep's failures, and the cases of the triage beside them.
+  for (const char* const folder : {"night", "night/triage"}) {
+    EXPECT_EQ(Touchstone("run --subject half_depth " + Path(folder)).code, 1);
+  }
+
   const Ended over = Touchstone("triage --no-programs " + Path("night"));
   EXPECT_EQ(over.code, 2);
   EXPECT_THAT(over.err, HasSubstr("holds an earlier triage; expected"));
@@ -984,9 +989,10 @@ TEST_F(CommandLineTest, SweepsTheQuestionsOfATable) {
   const Ended ended = Itself("sweep contact --quiet --subject cookbook --from " +
                              InSourceTree("docs/examples/poses.csv").string());
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("docs/examples/poses.csv  box box "),
-                               HasSubstr("docs/examples/poses.csv  box half_space "),
-                               HasSubstr("cookbook: 0 failed of 5")));
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("docs/examples/poses.csv  box box "),
+                    HasSubstr("docs/examples/poses.csv  box half_space "),
+                    HasSubstr("cookbook: 0 failed of 5; 3 more not supported")));
 }
 
 TEST_F(CommandLineTest, KeepsAndRepeatsTheFailedQuestionsOfATable) {

@@ -154,7 +154,7 @@ std::vector<Root> RootsOfANight(const Oracle& oracle) {
 TEST(ARightEngine, HasNoRootCause) {
   for (const Root& root : RootsOfANight(FakeOracle("engine"))) {
     ADD_FAILURE() << TitleOf(root) << ": " << root.rate.failed << "; "
-                  << root.smallest().finding.proof << CaseFile(root);
+                  << root.smallest().finding.proof << CaseFile(root, "case");
   }
 }
 

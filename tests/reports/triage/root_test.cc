@@ -197,10 +197,12 @@ TEST(RootFiles, HaveACaseThatShowsTheFaultAgain) {
   const FakeOracle oracle = Of("lib/one", "Lib", DoubleTheDepth);
   const std::vector<Root> roots =
       RootsAmongBoxesAndBalls({SpecimenOf(kBoxAndBall, oracle)});
-  const ReadResult read = ReadScenario(CaseFile(roots.at(0)), "case.toml");
+  const ReadResult read =
+      ReadScenario(CaseFile(roots.at(0), "triage/lib/case"), "case.toml");
   ASSERT_TRUE(read.diagnostics.empty()) << ToString(read.diagnostics.front());
   const RunReport report = AskAlone(read.scenario.value(), oracle);
   EXPECT_THAT(report.faults, testing::IsEmpty());  // The indictment is confirmed.
+  EXPECT_EQ(read.scenario->id, "triage/lib/case");
 }
 
 TEST(RootFiles, HaveAReportWithRateNeighbourhoodAndWhatIsKnown) {

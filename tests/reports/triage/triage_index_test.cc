@@ -66,7 +66,7 @@ TEST_F(TriageIndexTest, SaysThatRatesOfASearchSayNothing) {
 }
 
 TEST_F(TriageIndexTest, EscapesWhatMarkdownWouldRead) {
-  roots_[0].key.place = "a || b[i]";
+  roots_[0].key.shapes = "a || b[i]";
   TriageIndex index;
   index.roots = {{.root = &roots_[0], .folder = "old"}};
   EXPECT_THAT(IndexPage(index), HasSubstr("a \\|\\| b\\[i\\]"));
