@@ -95,38 +95,45 @@ std::string Compared(const FaultCheck& check, const Finding& finding) {
       Quoted(NameOf(finding.measure)), applies);
 }
 
-/** Finds out whether the engine answers at all. */
+/** Finds out whether the engine answers at all. {late} says whether the fault is that it
+ does not answer in time; else it is a crash, by any signal: a library that was built
+ without assertions may crash otherwise. */
 constexpr const char* kAwaited = R"(  // The engine may end the process that asks it.
   constexpr int kAnswered = 42;
   const pid_t child = fork();
-  if (child < 0) {
+  if (child < 0) {{
     std::perror("fork");
     return 2;
-  }
-  if (child == 0) {
-    const rlimit no_core_file{0, 0};
+  }}
+  if (child == 0) {{
+    const rlimit no_core_file{{0, 0}};
     setrlimit(RLIMIT_CORE, &no_core_file);
-    const rlimit seconds{2, 3};
+    const rlimit seconds{{2, 3}};
     setrlimit(RLIMIT_CPU, &seconds);
     alarm(60);  // It may wait without working.
     Print(Ask());
     std::fflush(stdout);
     _exit(kAnswered);
-  }
+  }}
   int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
+  while (waitpid(child, &status, 0) < 0) {{
     if (errno == EINTR) continue;
     std::perror("waitpid");
     return 2;
-  }
-  const bool is_right = WIFEXITED(status) && WEXITSTATUS(status) == kAnswered;
-  if (WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    std::printf("no answer%s: %s\n", signal == SIGXCPU ? " after 2 s of CPU time" : "",
-                strsignal(signal));
-  } else if (!is_right) {
-    std::printf("no answer: the engine exited\n");
-  }
+  }}
+  const bool is_answered = WIFEXITED(status) && WEXITSTATUS(status) == kAnswered;
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const bool is_late = signal == SIGXCPU || signal == SIGALRM;
+  if (!is_answered)
+    std::printf("no answer%s: %s\n", is_late ? " in time" : "",
+                signal == 0 ? "the engine exited" : strsignal(signal));
+  if (signal == SIGKILL || signal == SIGTERM || signal == SIGINT) {{
+    std::printf("Somebody else has ended it, which shows nothing.\n");
+    return 2;
+  }}
+  const bool is_right = is_answered || is_late != {late};
+  if (is_right && !is_answered)
+    std::printf("That is not counted: the fault is {fault}.\n");
 )";
 
 constexpr const char* kAwaitedIncludes =
@@ -143,7 +150,13 @@ struct Judge {
 
 Judge JudgeOf(const Finding& finding, const ScenarioResult& result,
               const OracleInfo& oracle) {
-  if (IsWithoutAnswer(finding)) return {kAwaitedIncludes, "", kAwaited};
+  if (IsWithoutAnswer(finding)) {
+    const bool is_late = finding.verdict == Verdict::kTimedOut;
+    return {kAwaitedIncludes, "",
+            fmt::format(kAwaited, fmt::arg("late", is_late),
+                        fmt::arg("fault", is_late ? "that it does not answer in time"
+                                                  : "a crash"))};
+  }
   const FaultCheck check = CheckOf(finding, result, oracle);
   return {"", check.definitions, Compared(check, finding)};
 }
