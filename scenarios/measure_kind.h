@@ -8,7 +8,7 @@ namespace touchstone {
 
 /** The measures: comparable numbers computed from an answer. A scenario names those that
  an engine reportedly gets wrong. Each is documented, with its formula, unit and source,
- where it is computed: in a file of reports/contacts/checks/ or of reports/worlds/. */
+ where it is computed: reports/contacts/checks/, reports/measures/ or reports/worlds/. */
 enum class MeasureKind {
   kTouching,             ///< 0: right, 1: wrong. [-]
   kSeparationError,      ///< |separation − truth|. [m]

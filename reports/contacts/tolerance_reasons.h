@@ -6,11 +6,11 @@
 
 namespace touchstone {
 
-/** Which findings carry the reason of their tolerance, a sentence. */
+/** Which findings carry the reason of their tolerance and their proof, in sentences. */
 enum class Reasons {
   kOfAll,
   kNoneButProofs,  ///< None; failures have proofs. Millions of findings are counted.
-  kNone,           ///< None, and hardly any its proof: only verdicts are asked for.
+  kNone,           ///< None, and no proofs: only verdicts are asked for.
 };
 
 /** Words the tolerances of one oracle in one scenario, one sentence each, quoted in the

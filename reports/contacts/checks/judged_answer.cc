@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/contacts/checks/refutation.h"
 #include "reports/contacts/grade.h"
 #include "reports/contacts/normal_claim.h"
 #include "reports/measures/overlap_along.h"
@@ -48,7 +49,7 @@ const Enclosure& JudgedAnswer::Along() {
 double JudgedAnswer::SupportedSeparation() {
   const Eigen::Vector3d supporting_W = SupportingDirection(query, *n_W);
   const Enclosure overlap = supporting_W == *n_W ? Along() : Overlap(query, supporting_W);
-  return -(overlap.lo + (overlap.hi - overlap.lo) / 2);
+  return -MiddleOf(overlap);
 }
 
 JudgedAnswer::Ruling JudgedAnswer::RulingOn(const Measured& measured) const {
@@ -66,7 +67,7 @@ JudgedAnswer::Ruling JudgedAnswer::RulingOn(const Measured& measured) const {
     return ruling;
   }
   Ruling ruling{Verdict::kPass, tolerance};
-  if (UnitOf(measured.measure) == "m" && tolerance > tolerances.fine) {
+  if (UnitOf(measured.measure) == "m" && !(tolerance <= tolerances.fine)) {
     // A tolerance that is too wide tells right from wrong only for values that pass a
     // fine one as well.
     const bool is_fine = measured.value <= tolerances.fine;

@@ -32,13 +32,14 @@ struct Measured {
   std::string_view unproved = {};
 };
 
-/** One answer to a contact query, what its checks share, and what they have found. A
- check is a function of one file in this folder: it adds the findings of one measure where
- that measure applies. It refers to the arguments of its constructor. */
+/** One answer to a contact query, what its checks share, and what they have found. It
+ refers to the arguments of its constructor. A check is a function of one file in this
+ folder: it adds the finding of its measure where that measure applies. */
 class JudgedAnswer {
  public:
   JudgedAnswer(const Scenario& scenario, const ContactTruth& truth,
                const OracleInfo& oracle, const ContactAnswer& answer, Reasons reasons);
+  JudgedAnswer(const JudgedAnswer&) = delete;  // `because` refers to `tolerances`.
 
   const ContactQuery& query;
   const ContactTruth& truth;

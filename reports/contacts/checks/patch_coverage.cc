@@ -193,8 +193,10 @@ Extent CheckExtent(JudgedAnswer& judged, const ContactPatch& patch,
   const double legal = LegalUnspanned(patch, n_W, contacts);
   const double blur = PatchBlur(patch, n_W, e);
   const double tolerance = legal + blur;
+  // If doubles overflow, nothing is proved.
+  const bool is_spanned = unspanned <= tolerance || !std::isfinite(tolerance);
   std::optional<Eigen::Vector3d> missed;
-  if (!(unspanned <= tolerance))
+  if (!is_spanned)
     missed = CertainlyMissed(judged.query, patch, n_W, judged.SupportedSeparation(),
                              contacts, tolerance, e);
   const auto because = [&] {
@@ -215,7 +217,6 @@ Extent CheckExtent(JudgedAnswer& judged, const ContactPatch& patch,
                          .points_W = {*missed},
                          .contacts = {contacts.size(), 0}};
                });
-  const bool is_spanned = unspanned <= tolerance;
   return {is_spanned, is_spanned || missed.has_value()};
 }
 

@@ -1,6 +1,8 @@
 #include "reports/contacts/judge_answer.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <numbers>
 
@@ -45,6 +47,41 @@ std::vector<MeasureKind> Failed(const std::vector<Finding>& findings) {
     if (finding.verdict != Verdict::kPass) failed.push_back(finding.measure);
   }
   return failed;
+}
+
+// Sweeps ask for fewer sentences, and the search for causes for none.
+TEST(Judge, FindsTheSameWithFewerSentences) {
+  const FakeOracle oracle("mine");
+  for (const Specimen& s :
+       {SphereInBoxFace(kDepth), BoxOnBoxFace(kDepth), SphereInBoxFace(-kDepth)}) {
+    Scenario scenario;
+    scenario.id = "contact/specimen";
+    scenario.contact = s.query;
+    ContactAnswer wrong = s.right;
+    wrong.touching = !wrong.touching;
+    wrong.separation = 2 * *wrong.separation;
+    wrong.points.resize(std::min<std::size_t>(wrong.points.size(), 1));
+    for (const ContactAnswer& answer : {s.right, wrong}) {
+      const auto judged = [&](Reasons reasons) {
+        return JudgeAnswer(scenario, s.truth, oracle.info(), answer, reasons);
+      };
+      const std::vector<Finding> all = judged(Reasons::kOfAll);
+      for (const Reasons reasons : {Reasons::kNoneButProofs, Reasons::kNone}) {
+        const std::vector<Finding> fewer = judged(reasons);
+        ASSERT_EQ(fewer.size(), all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+          EXPECT_EQ(fewer[i].measure, all[i].measure);
+          EXPECT_EQ(fewer[i].verdict, all[i].verdict);
+          EXPECT_EQ(fewer[i].value, all[i].value);
+          EXPECT_EQ(fewer[i].tolerance, all[i].tolerance);
+          EXPECT_EQ(fewer[i].grade, all[i].grade);
+          EXPECT_EQ(fewer[i].safety, all[i].safety);
+          EXPECT_EQ(fewer[i].tolerance_because, "");
+          EXPECT_EQ(fewer[i].proof, reasons == Reasons::kNone ? "" : all[i].proof);
+        }
+      }
+    }
+  }
 }
 
 TEST(Judge, PassesAnswersDerivedByHand) {

@@ -8,7 +8,8 @@
 
 namespace touchstone {
 
-/** Returns what `check` finds in an answer of the oracle "mine" to a specimen. */
+/** Returns what `check` finds in an answer of the oracle "mine" to a specimen.
+ @pre The check applies, and does not depend on what an earlier one has found. */
 inline Finding FoundBy(void (*check)(JudgedAnswer&), const Specimen& specimen,
                        const ContactAnswer& answer) {
   Scenario scenario;

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/reports/contacts/checks/found_by.h"
+#include "tests/reports/specimens.h"
+
 namespace touchstone {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <variant>
 
 #include <gtest/gtest.h>
 
