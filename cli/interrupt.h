@@ -2,10 +2,10 @@
 
 namespace touchstone {
 
-/** What a request to stop does to engines that are at work in child processes. */
+/** Whether the first signal kills the engines that run in child processes. */
 enum class WorkingEngines {
   kFinish,  ///< They finish their question.
-  kEnd,     ///< They are ended. Answers that come later mean nothing and must be dropped.
+  kEnd,     ///< They are killed. The caller must drop every answer that comes later.
 };
 
 /** Turns the first SIGINT (Ctrl-C) or SIGTERM into a request to stop, while it lives. One

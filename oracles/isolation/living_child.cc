@@ -10,7 +10,7 @@
 namespace touchstone {
 namespace {
 
-// Two for each thread of the largest machine that we know of.
+// Each thread has one or two.
 constexpr std::size_t kMostChildren = 1024;
 
 static_assert(std::atomic<pid_t>::is_always_lock_free);

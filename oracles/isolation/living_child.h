@@ -6,7 +6,7 @@
 
 namespace touchstone {
 
-/** A child process that works for this one, as long as EndChildren() is to end it. */
+/** The registration of a running child process, which EndChildren() kills. */
 class LivingChild {
  public:
   /** Takes a target of kill(2): a process, or if it is negative the process group of that
@@ -21,12 +21,12 @@ class LivingChild {
   LivingChild& operator=(const LivingChild&) = delete;
 
  private:
-  std::atomic<pid_t>* place_;  // Null if there are too many: it then is not ended.
+  std::atomic<pid_t>* place_;  // Null if there are too many: it is not killed.
 };
 
-/** Kills all living children, and from then on every new one. To those who wait for their
- answers they have crashed, so only a program that is about to end may call it. Safe in a
- signal handler; does nothing in a forked child. */
+/** Kills all registered children, and later ones when they register. Their answers look
+ like crashes, so only a program that is about to exit may call it. Safe in a signal
+ handler; does nothing in a forked child. */
 void EndChildren() noexcept;
 
 /** Throws std::system_error if EndChildren() has been called. */

@@ -43,8 +43,8 @@ foreach(document docs/architecture.md CONTRIBUTING.md)
     endforeach()
   endforeach()
 
-  # In a sentence `Function()` (`path`), in a table | `path` | `Function()`. Of several functions
-  # the nearest to the path.
+  # A sentence cites a function as `Function()` (`path`), a table as `path` | `Function()`. If a
+  # path has several functions, only the nearest is checked.
   string(REGEX MATCHALL "${function} [(](both )?${path}" in_sentences "${text}")
   string(REGEX MATCHALL "${path}[^|`]*[|] ${function}" in_tables "${text}")
   foreach(form in_sentences in_tables)

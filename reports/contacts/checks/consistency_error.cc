@@ -38,7 +38,7 @@ void CheckConsistency(JudgedAnswer& judged) {
     if (along >= unmet)
       return {.kind = ProofKind::kOverlap,
               .said = said,
-              .bound = -MiddleOf(OverlapAlong(judged.query, *judged.n_W)),
+              .bound = -MiddleOf(judged.Along()),
               .claimed_W = *judged.n_W};
     const ContactPoint& deepest = *DeepestOf(judged.answer);
     return {.kind = ProofKind::kDeepest,

@@ -19,7 +19,7 @@
 
 namespace touchstone {
 
-/** What a check has measured of an answer, before there is a verdict. */
+/** A measured value and its tolerance, which RulingOn() turns into a verdict. */
 struct Measured {
   MeasureKind measure;
   double value;

@@ -27,6 +27,13 @@ TEST(KindOfProof, KeepsLinesOfTheSource) {
   EXPECT_EQ(KindOfProof("separation:12.5"), KindOfProof("separation:13.25"));
 }
 
+TEST(EndingInWords, KeepsTheNumbers) {
+  EXPECT_EQ(EndingInWords(Ending(Verdict::kTimedOut,
+                                 "fcl/signed_distance: no answer after 2.01 s")),
+            "no answer after 2.01 s");
+  EXPECT_EQ(EndingInWords(Ending(Verdict::kFail, "fcl/signed_distance says 1 m")), "");
+}
+
 TEST(EndingOf, IsEmptyForAnAnswer) {
   EXPECT_EQ(EndingOf(Ending(Verdict::kFail, "fcl/signed_distance says 1 m")), "");
   EXPECT_EQ(EndingOf(Ending(Verdict::kPass, "")), "");
