@@ -107,12 +107,16 @@ class Search {
     }
     if (finding_.measure != MeasureKind::kPositionError || !sample_) return std::nullopt;
     const Law* const law = FindLaw(finding_.law);
-    if (law == nullptr || law->place == nullptr) return std::nullopt;
+    if (law == nullptr || law->places == nullptr) return std::nullopt;
     for (const Claim& claim : Claims()) {
       for (const int body : SubjectsOf(world_, claim).bodies) {
         Claim about = claim;
         about.about = {world_.bodies[static_cast<std::size_t>(body)].name};
-        const Eigen::Vector3d truth = law->place(world_, about, *finding_.cited.time);
+        if (!law->faults(world_, about).empty()) continue;
+        const std::vector<Eigen::Vector3d> truths =
+            law->places(world_, about, {*finding_.cited.time});
+        if (truths.empty()) continue;
+        const Eigen::Vector3d& truth = truths.front();
         if (IsValue((FieldOf(*sample_, body) - truth).norm()))
           return Compared(*sample_, body, truth, nullptr);
       }

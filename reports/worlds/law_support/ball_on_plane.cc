@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "reports/worlds/law_support/at_sample.h"
-#include "reports/worlds/law_support/error_laws.h"
+#include <fmt/format.h>
+
 #include "reports/worlds/law_support/round_body.h"
-#include "reports/worlds/law_support/slop.h"
 
 namespace touchstone {
 namespace {
@@ -43,39 +41,36 @@ std::string WhyNoRollerOnPlane(const World& world, int index) {
   return "";
 }
 
-BallOnPlane::BallOnPlane(const Motion& motion, int body, const OnPlane& on,
-                         std::string how, const std::string& velocity_because,
-                         const std::string& position_because)
-    : motion_(motion),
-      body_(body),
-      on_(on),
-      how_(std::move(how)),
-      position_(MeasureKind::kPositionError, WithSlop(position_because, motion.oracle)),
-      velocity_(MeasureKind::kVelocityError, WithSlop(velocity_because, motion.oracle)),
-      spin_(MeasureKind::kSpinError, WithSlop(velocity_because, motion.oracle)) {}
-
-void BallOnPlane::Take(std::size_t s, const BodyState& truth, const Errors& errors) {
-  const auto i = static_cast<std::size_t>(body_);
-  const RigidBody& body = motion_.world.bodies[i];
-  const BodyState& is = motion_.trajectory.samples[s].bodies[i];
-  const double t = motion_.trajectory.times[s];
-  const double h = motion_.world.dt;
+std::vector<Worst> JudgeBall(const Motion& motion, int index, const OnPlane& on,
+                             const BallWords& words, const BallMotion& ball) {
+  const RigidBody& body = motion.world.bodies[static_cast<std::size_t>(index)];
+  const double h = motion.world.dt;
   const double r = RadiusOf(body);
   const double k = InertiaRatioOf(body);
-  const double rounding = RoundingOf(motion_.oracle, StepsBefore(motion_, s));
-  const double share = kSolverResidual + rounding;
-  const double inside = on_.Settling(h) / r;
-  const double across = (1 + on_.plane.friction) * on_.SpeedAcross(is.v_WB, h);
-  const double allowed =
-      kSafety * (across + inside * errors.surface + errors.ending) + share * errors.speed;
-  const AtSample at{motion_, s, body.name};
-  at.Compare(velocity_, is.v_WB, truth.v_WB, allowed, how_ + " it moves at");
-  at.Compare(spin_, is.w_WB, truth.w_WB, allowed / (r * std::min(1.0, k)),
-             how_ + " it spins at");
-  at.Compare(position_, is.p_WB, truth.p_WB,
-             kSafety * (errors.lag + on_.Settling(h) + inside * errors.speed * t) +
-                 share * errors.speed * t + rounding * body.placed.X_WB.p_WB.norm(),
-             how_ + " it is at");
+  const double inside = on.Settling(h) / r;
+  const auto predict = [&](std::size_t s) {
+    const double t = motion.trajectory.times[s];
+    const Eigen::Vector3d& v_WB =
+        motion.trajectory.samples[s].bodies[static_cast<std::size_t>(index)].v_WB;
+    const BodyState truth = ball.truth(t);
+    const BallErrors errors = ball.errors(t);
+    const double across = (1 + on.plane.friction) * on.SpeedAcross(v_WB, h);
+    const double off = across + inside * errors.surface + errors.ending;
+    const double turns = 1 / (r * std::min(1.0, k));
+    return PredictedState{
+        .position = {{truth.p_WB,
+                      {.scheme = errors.lag + on.Settling(h) + inside * errors.speed * t,
+                       .solved = errors.speed * t,
+                       .computed = body.placed.X_WB.p_WB.norm()}}},
+        .velocity = {{truth.v_WB, {.scheme = off, .solved = errors.speed}}},
+        .spin = {{truth.w_WB, {.scheme = off * turns, .solved = errors.speed * turns}}}};
+  };
+  return JudgePredictions(
+      motion,
+      {.position = {words.position, fmt::format("{} it is at", words.how)},
+       .velocity = {words.velocity, fmt::format("{} it moves at", words.how)},
+       .spin = {words.velocity, fmt::format("{} it spins at", words.how)}},
+      {{body.name, StateOfBody(index), predict}});
 }
 
 }  // namespace touchstone

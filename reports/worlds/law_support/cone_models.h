@@ -19,16 +19,23 @@ World Rougher(World world);
 /** Returns whether `model` is the name of a friction cone. */
 bool IsFrictionCone(std::string_view model);
 
-/** Judges bodies with friction on planes by Coulomb's circular cone.
+/** Judges a motion with friction by Coulomb's circular cone, `cones.front()`.
 
- A body beyond the circle's tolerance that follows another cone within tolerance is
- recognised as that cone. Solvers with two friction directions are legal, and the closed
- forms of their cones are as sharp as the circle's. It is not recognised if a circle with
- kRough times the friction explains the motion too. A body at rest, or a contact that does
- not slip, shows no cone, only that there is enough friction.
+ A motion beyond the circle's tolerance that follows another of the cones within tolerance
+ is recognised as that cone. Solvers with two friction directions are legal, and the
+ closed forms of their cones are as sharp as the circle's. It is not recognised if a
+ circle with kRough times the friction explains the motion too. A body at rest, or a
+ contact that does not slip, shows no cone, only that there is enough friction.
 
- `judge_by` returns the findings of one body for one cone, always in the same order. A
- cone is placed on the plane that LandingOf() returns for the body. */
+ `judge_by` returns the findings for one cone, always in the same order; `by_rougher`
+ those for the circle with kRough times the friction. */
+std::vector<LawFinding> JudgedByCone(
+    const std::vector<PlacedCone>& cones,
+    const std::function<std::vector<Worst>(const PlacedCone&)>& judge_by,
+    const std::function<std::vector<Worst>()>& by_rougher);
+
+/** Judges each of `bodies` in this way; a cone is placed on the plane that LandingOf()
+ returns for the body. */
 std::vector<LawFinding> JudgedByCone(
     const Motion& motion, const std::vector<int>& bodies,
     const std::function<std::vector<Worst>(const PlacedCone&, const Motion&, int body)>&

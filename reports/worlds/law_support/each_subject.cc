@@ -10,23 +10,14 @@
 namespace touchstone {
 namespace {
 
-/** Returns the faults of the subjects that are `things[i]` for each of `indices`. */
-template <typename Things>
-std::vector<Fault> FaultsOfEach(const Things& things, const std::vector<int>& indices,
-                                const World& world, const Claim& claim,
-                                const Conditions& conditions) {
-  std::vector<Fault> faults;
-  for (const int i : indices) {
-    const std::string why = conditions.why_not(world, i);
-    if (why.empty()) {
-      faults =
-          Joined(std::move(faults), FaultsOfNumbers(claim, conditions.numbers(world, i)));
-      continue;
-    }
-    faults.push_back(FaultAbout(claim, things[static_cast<std::size_t>(i)].name, why,
-                                conditions.expected));
-  }
-  return faults;
+/** Returns the faults of the claim about one subject. */
+template <typename Subject, typename ConditionsOfSubject>
+std::vector<Fault> FaultsOfOne(const std::string& name, const Subject& subject,
+                               const World& world, const Claim& claim,
+                               const ConditionsOfSubject& conditions) {
+  const std::string why = conditions.why_not(world, subject);
+  if (why.empty()) return FaultsOfNumbers(claim, conditions.numbers(world, subject));
+  return {FaultAbout(claim, name, why, conditions.expected)};
 }
 
 }  // namespace
@@ -35,16 +26,23 @@ std::vector<Fault> FaultsOfEachBody(const World& world, const Claim& claim,
                                     const Conditions& conditions) {
   std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
-  return FaultsOfEach(world.bodies, SubjectsOf(world, claim).bodies, world, claim,
-                      conditions);
+  for (const int i : SubjectsOf(world, claim).bodies) {
+    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
+    faults = Joined(std::move(faults), FaultsOfOne(name, i, world, claim, conditions));
+  }
+  return faults;
 }
 
-std::vector<Fault> FaultsOfEachParticle(const World& world, const Claim& claim,
-                                        const Conditions& conditions) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.particles = true});
+std::vector<Fault> FaultsOfEachPoint(const World& world, const Claim& claim,
+                                     const ConditionsOfPoint& conditions) {
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true});
   if (!faults.empty()) return faults;
-  return FaultsOfEach(world.particles, SubjectsOf(world, claim).particles, world, claim,
-                      conditions);
+  for (const PointMass& point : PointMassesOf(world, SubjectsOf(world, claim))) {
+    faults = Joined(std::move(faults),
+                    FaultsOfOne(point.name, point, world, claim, conditions));
+  }
+  return faults;
 }
 
 std::vector<Fault> FaultsOfOneBody(const World& world, const Claim& claim,

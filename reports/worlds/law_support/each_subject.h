@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "reports/worlds/law_support/point_mass.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "scenarios/validate.h"
 #include "scenarios/worlds/world_scenario.h"
@@ -30,9 +31,16 @@ struct Conditions {
 std::vector<Fault> FaultsOfEachBody(const World& world, const Claim& claim,
                                     const Conditions& conditions);
 
-/** Returns the same for a law of particles. */
-std::vector<Fault> FaultsOfEachParticle(const World& world, const Claim& claim,
-                                        const Conditions& conditions);
+/** The same conditions for bodies and particles alike. */
+struct ConditionsOfPoint {
+  std::string (*why_not)(const World&, const PointMass&);
+  std::string_view expected;
+  ExpectedNumbers (*numbers)(const World&, const PointMass&);
+};
+
+/** Returns the same for a law of bodies and particles. */
+std::vector<Fault> FaultsOfEachPoint(const World& world, const Claim& claim,
+                                     const ConditionsOfPoint& conditions);
 
 /** Returns the same for a law that takes exactly one body; `one` names it, as in "one
  sphere". */

@@ -5,12 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
-#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/energy_bound.h"
+#include "reports/worlds/law_support/envelope.h"
 #include "reports/worlds/law_support/error_laws.h"
-#include "reports/worlds/law_support/slop.h"
+#include "reports/worlds/law_support/prediction.h"
 #include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
@@ -34,46 +33,42 @@ Fall Shifted(const Fall& fall, double dt, int phase) {
   return shifted;
 }
 
-/** Returns the states of a fall that follows the rule, at each sample of the motion. */
-std::vector<Height> SteppedAlong(const Motion& motion, const Fall& fall, BounceRule rule,
-                                 ContactSeen seen) {
-  SteppedBounces stepped{rule,      seen, fall.gravity, fall.restitution, motion.world.dt,
-                         fall.start};
-  std::vector<Height> heights;
-  long done = 0;
-  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
-    const long steps = std::lround(StepsBefore(motion, s));
-    for (; done < steps; ++done) stepped.Step();
-    heights.push_back(stepped.state);
-  }
-  return heights;
+/** Returns the fall, to be stepped by the rule. */
+SteppedBounces Stepped(const Motion& motion, const Fall& fall, BounceRule rule,
+                       ContactSeen seen) {
+  return {rule, seen, fall.gravity, fall.restitution, motion.world.dt, fall.start};
 }
 
-/** Replaces each number by the largest so far. */
-void KeepLargest(std::vector<double>& numbers) {
-  for (std::size_t i = 1; i < numbers.size(); ++i)
-    numbers[i] = std::max(numbers[i], numbers[i - 1]);
-}
-
-/** Returns the largest error so far, at each sample, of engines that follow the rule.
- [m] */
-std::vector<double> StepErrors(const Motion& motion, const Fall& fall) {
-  std::vector<double> errors(motion.trajectory.samples.size(), 0);
+/** Returns the largest error so far of engines that follow the rule. */
+Envelope StepErrors(const Motion& motion, const Fall& fall) {
+  Envelope errors(motion);
   for (const ContactSeen seen : {ContactSeen::kTouching, ContactSeen::kAhead}) {
     for (int phase = 0; phase < kPhases; ++phase) {
       const Fall shifted = Shifted(fall, motion.world.dt, phase);
       const VerticalBounces truth = shifted.Truth();
-      const std::vector<Height> heights =
-          SteppedAlong(motion, shifted, BounceRule::kStartOfStep, seen);
-      for (std::size_t s = 0; s < errors.size(); ++s) {
-        const double off =
-            std::abs(heights[s].gap - truth.At(motion.trajectory.times[s]).gap);
-        errors[s] = std::max(errors[s], off);
-      }
+      SteppedBounces stepped = Stepped(motion, shifted, BounceRule::kStartOfStep, seen);
+      errors.Include([&] { stepped.Step(); },
+                     [&](std::size_t s) {
+                       const Height is = truth.At(motion.trajectory.times[s]);
+                       return Apart{std::abs(stepped.state.gap - is.gap), 0};
+                     });
     }
   }
-  KeepLargest(errors);
   return errors;
+}
+
+/** Returns the heights of a fall that reflects the velocity after gravity, at each sample
+ of the motion. */
+std::vector<Height> HeightsAfterGravity(const Motion& motion, const Fall& fall) {
+  SteppedBounces stepped =
+      Stepped(motion, fall, BounceRule::kAfterGravity, ContactSeen::kTouching);
+  std::vector<Height> heights;
+  double done = 0;
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    for (; done < StepsBefore(motion, s); ++done) stepped.Step();
+    heights.push_back(stepped.state);
+  }
+  return heights;
 }
 
 /** Whether the heights after the first impact are those of falls that reflect the
@@ -84,31 +79,32 @@ std::vector<double> StepErrors(const Motion& motion, const Fall& fall) {
 bool FollowsAfterGravity(const Motion& motion, const Fall& fall,
                          const std::vector<double>& granted) {
   const double h = motion.world.dt;
-  const std::vector<Height> model =
-      SteppedAlong(motion, fall, BounceRule::kAfterGravity, ContactSeen::kTouching);
-  std::vector<double> spread(model.size(), 0);
+  const std::vector<Height> model = HeightsAfterGravity(motion, fall);
+  Envelope spread(motion);
   for (const ContactSeen seen : {ContactSeen::kTouching, ContactSeen::kAhead}) {
     for (int phase = 0; phase < kPhases; ++phase) {
-      const std::vector<Height> other =
-          SteppedAlong(motion, Shifted(fall, h, phase), BounceRule::kAfterGravity, seen);
-      for (std::size_t s = 0; s < model.size(); ++s)
-        spread[s] = std::max(spread[s], std::abs(other[s].gap - model[s].gap));
+      SteppedBounces other =
+          Stepped(motion, Shifted(fall, h, phase), BounceRule::kAfterGravity, seen);
+      spread.Include([&] { other.Step(); },
+                     [&](std::size_t s) {
+                       return Apart{std::abs(other.state.gap - model[s].gap), 0};
+                     });
     }
   }
-  KeepLargest(spread);
   double fastest = fall.Truth().impact_speed();
   for (std::size_t s = 0; s < model.size(); ++s) {
     const double t = motion.trajectory.times[s];
     fastest = std::max(fastest, std::abs(model[s].velocity));
     const Eigen::Vector3d off =
-        fall.is(motion.trajectory.samples[s]).p_W - fall.PlaceAt(t);
+        fall.point.In(motion.trajectory.samples[s]).p_W - fall.PlaceAt(t);
     const double along = fall.n_W.dot(off);
     const double across = (off - along * fall.n_W).norm();
     const bool fell = t > fall.Truth().first_impact() - h;
     const double off_model = along + fall.Truth().At(t).gap - model[s].gap;
     const bool follows =
         fell ? across <= granted[s] &&
-                   std::abs(off_model) <= granted[s] + kSafety * (spread[s] + fastest * h)
+                   std::abs(off_model) <=
+                       granted[s] + kSafety * (spread.At(s).place + fastest * h)
              : off.norm() <= granted[s];
     if (!follows) return false;
   }
@@ -132,8 +128,8 @@ bool Lies(const Motion& motion, const Fall& fall, std::size_t s) {
   const Trajectory& trajectory = motion.trajectory;
   if (s + 1 >= trajectory.samples.size()) return false;
   const double dt = motion.world.dt;
-  const PointState here = fall.is(trajectory.samples[s]);
-  const PointState next = fall.is(trajectory.samples[s + 1]);
+  const PointState here = fall.point.In(trajectory.samples[s]);
+  const PointState next = fall.point.In(trajectory.samples[s + 1]);
   const double speed =
       std::max(std::abs(fall.n_W.dot(here.v_W)), std::abs(fall.n_W.dot(next.v_W)));
   return 4 * speed <= fall.gravity * dt &&
@@ -145,8 +141,8 @@ std::vector<Bounce> BouncesOf(const Motion& motion, const Fall& fall) {
   std::vector<Bounce> bounces;
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const double time = trajectory.times[s] - trajectory.times[s - 1];
-    const PointState first = fall.is(trajectory.samples[s - 1]);
-    const PointState second = fall.is(trajectory.samples[s]);
+    const PointState first = fall.point.In(trajectory.samples[s - 1]);
+    const PointState second = fall.point.In(trajectory.samples[s]);
     const double before = -fall.n_W.dot(first.v_W);
     const double after = fall.n_W.dot(second.v_W);
     // Gravity alone would make it fall faster by g Δt: whatever stops half of the fall is
@@ -161,7 +157,7 @@ std::vector<Bounce> BouncesOf(const Motion& motion, const Fall& fall) {
 }
 
 /** The impact of a bounce. */
-struct Blow {
+struct BounceSpeeds {
   double came;     ///< Downward speed before the impact. [m/s]
   double left;     ///< Upward speed after the impact. [m/s]
   double unknown;  ///< Time for which gravity may act on either speed unobserved. [s]
@@ -175,7 +171,7 @@ struct Blow {
  with v₀ down and v₁ up. So exact flights yield exact speeds at any height. A body that
  may have hit the ground again by the second sample is not in flight there: it has left
  with at least the speed of the sample. */
-Blow BlowOf(const Bounce& bounce, const Fall& fall, double dt) {
+BounceSpeeds SpeedsOf(const Bounce& bounce, const Fall& fall, double dt) {
   const double g = fall.gravity;
   const double between = bounce.steps * dt;
   if (2 * fall.restitution * bounce.before < g * (between + dt))
@@ -223,92 +219,115 @@ std::vector<std::pair<std::string_view, double>> NumbersOf(const Fall& fall) {
           {"expected_first_apex", V * V / (2 * fall.gravity)}};
 }
 
-std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<int>& subjects,
-                                   Fall (*fall_of)(const World& world, int subject)) {
-  const World& world = motion.world;
-  const Trajectory& trajectory = motion.trajectory;
-  Worst position(MeasureKind::kPositionError,
-                 WithSlop("1.5 × the largest error so far of engines that detect "
-                          "contacts once per step, stepped next to the truth, with V h "
-                          "for an impact one step late; and 64 roundings per step",
-                          motion.oracle));
-  Worst restitution(MeasureKind::kRestitution,
-                    "(2 + e) g h/V: gravity in the step of a bounce and in the time by "
-                    "which depth correction moves it, or (2 + e) g (Δt + h)/V if the "
-                    "next may follow between samples; 64 roundings per step between");
-  Worst velocity(
-      MeasureKind::kVelocityError,
-      "64 roundings per step: every scheme integrates a constant force exactly, "
-      "until a step before the first impact");
+namespace {
+
+/** Returns how far a right engine may be from the place of the fall at each sample. */
+std::vector<Allowed> AllowedOf(const Motion& motion, const Fall& fall) {
+  const Envelope errors = StepErrors(motion, fall);
+  const VerticalBounces truth = fall.Truth();
+  const double V = truth.impact_speed();
+  const double h = motion.world.dt;
+  std::vector<Allowed> allowed;
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    const bool may_have_touched = t > truth.first_impact() - h;
+    allowed.push_back({.scheme = errors.At(s).place + (may_have_touched ? V * h : 0),
+                       .computed = fall.point.start.p_W.norm() + fall.size +
+                                   (V + fall.v_along_W.norm()) * t,
+                       .slop = may_have_touched ? motion.oracle.slop : 0});
+  }
+  return allowed;
+}
+
+Prediction Predict(const Motion& motion, const Fall& fall,
+                   const std::vector<Allowed>& allowed) {
+  return {fall.point.name, fall.point.Reader(), [&](std::size_t s) {
+            const double t = motion.trajectory.times[s];
+            PredictedState predicted;
+            predicted.position = {fall.PlaceAt(t), allowed[s]};
+            if (t > fall.Truth().first_impact() - motion.world.dt) return predicted;
+            predicted.velocity = {
+                fall.v_along_W + (fall.start.velocity - fall.gravity * t) * fall.n_W,
+                {.computed = fall.v_along_W.norm() + std::abs(fall.start.velocity) +
+                             fall.gravity * t}};
+            return predicted;
+          }};
+}
+
+/** Judges the restitution of every bounce, and whether all reflect the velocity after
+ gravity. */
+struct RestitutionOfBounces {
+  Worst worst{MeasureKind::kRestitution,
+              "(2 + e) g h/V: gravity in the step of a bounce and in the time by which "
+              "depth correction moves it, or (2 + e) g (Δt + h)/V if the next may follow "
+              "between samples; 64 roundings per step between"};
   bool after_gravity = true;
-  bool any_bounce = false;
-  bool any_telling = false;
-  for (const int subject : subjects) {
-    const Fall fall = fall_of(world, subject);
-    const VerticalBounces truth = fall.Truth();
-    const double V = truth.impact_speed();
-    const std::vector<double> errors = StepErrors(motion, fall);
-    const double reach = fall.p_W.norm() + fall.size;
-    const std::string falling =
-        fmt::format("a fall from {:.6g} m with e = {:.6g} puts it at", fall.start.gap,
-                    fall.restitution);
-    std::vector<double> granted;
-    for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
-      const double t = trajectory.times[s];
-      const Eigen::Vector3d is = fall.is(trajectory.samples[s]).p_W;
-      const Eigen::Vector3d p_W = fall.PlaceAt(t);
-      const double late = t > truth.first_impact() - world.dt ? V * world.dt : 0;
-      granted.push_back(kSafety * (errors[s] + late) +
-                        (late > 0 ? motion.oracle.slop : 0) +
-                        RoundingOf(motion.oracle, StepsBefore(motion, s)) *
-                            (reach + (V + fall.v_along_W.norm()) * t));
-      AtSample{motion, s, fall.name}.Compare(position, is, p_W, granted.back(), falling);
-      if (late > 0) continue;
-      const Eigen::Vector3d v_W =
-          fall.v_along_W + (fall.start.velocity - fall.gravity * t) * fall.n_W;
-      const Eigen::Vector3d is_v_W = fall.is(trajectory.samples[s]).v_W;
-      velocity.Take(
-          (is_v_W - v_W).norm(),
-          RoundingOf(motion.oracle, StepsBefore(motion, s)) *
-              (fall.v_along_W.norm() + std::abs(fall.start.velocity) + fall.gravity * t),
-          [&] {
-            return Citing(
-                "{} has {} moving at {} after {:.6g} s, before it first touches; v₀ + g "
-                "t is {}",
-                motion.oracle.name, CitedName{fall.name}, FormatVector(is_v_W, 9),
-                CitedTime{t}, FormatVector(v_W, 9));
-          });
-    }
-    if (position.IsBeyond())
-      after_gravity = after_gravity && FollowsAfterGravity(motion, fall, granted);
+  bool any_telling = false;  ///< Whether any bounce tells the rules apart.
+
+  void Take(const Motion& motion, const Fall& fall) {
     const double e = fall.restitution;
+    const double dt = motion.world.dt;
+    const double reach = fall.point.start.p_W.norm() + fall.size;
     for (const Bounce& bounce : BouncesOf(motion, fall)) {
-      const Blow blow = BlowOf(bounce, fall, world.dt);
+      const BounceSpeeds speeds = SpeedsOf(bounce, fall, dt);
       const double tolerance =
-          (2 + e) * fall.gravity * blow.unknown / blow.came +
+          (2 + e) * fall.gravity * speeds.unknown / speeds.came +
           RoundingOf(motion.oracle, bounce.steps) *
-              ((1 + e) + fall.gravity * reach / (blow.came * blow.came));
+              ((1 + e) + fall.gravity * reach / (speeds.came * speeds.came));
       if (tolerance > kSlowBounce) continue;
-      any_bounce = true;
-      const double rounding =
-          RoundingOf(motion.oracle, bounce.time / world.dt) * (V + bounce.before);
-      after_gravity =
-          after_gravity && ReflectsAfterGravity(bounce, fall, world.dt, rounding);
-      any_telling = any_telling || TellsRulesApart(fall, world.dt, rounding);
-      restitution.Take(std::abs(blow.left / blow.came - e), tolerance, [&] {
+      const double rounding = RoundingOf(motion.oracle, bounce.time / dt) *
+                              (fall.Truth().impact_speed() + bounce.before);
+      after_gravity = after_gravity && ReflectsAfterGravity(bounce, fall, dt, rounding);
+      any_telling = any_telling || TellsRulesApart(fall, dt, rounding);
+      const double found = speeds.left / speeds.came;
+      worst.Take(std::abs(found - e), tolerance, [&] {
         return Citing(
             "{} has {} leave at {:.6g} m/s before {:.6g} s after arriving at {:.6g} m/s: "
             "e = {:.6g}; the bodies' e is {:.6g}",
-            motion.oracle.name, CitedName{fall.name}, blow.left, CitedTime{bounce.time},
-            blow.came, blow.left / blow.came, e);
+            motion.oracle.name, CitedName{fall.point.name}, speeds.left,
+            CitedTime{bounce.time}, speeds.came, found, e);
       });
     }
   }
-  const bool recognised = any_telling && after_gravity;
-  std::vector<LawFinding> findings = {
-      recognised ? position.RecognisedAs(kReflectsAfterGravity) : position.finding()};
-  if (velocity.IsTaken()) findings.push_back(velocity.finding());
-  if (any_bounce) findings.push_back(restitution.finding());
+};
+
+}  // namespace
+
+std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>& falls) {
+  std::vector<std::vector<Allowed>> allowed;
+  std::vector<Prediction> predictions;
+  allowed.reserve(falls.size());
+  for (const Fall& fall : falls) {
+    allowed.push_back(AllowedOf(motion, fall));
+    predictions.push_back(Predict(motion, fall, allowed.back()));
+  }
+  std::vector<Worst> found = JudgePredictions(
+      motion,
+      {.position = {{.scheme =
+                         "the largest error so far of engines that detect contacts "
+                         "once per step, stepped next to the truth, with V h for an "
+                         "impact one step late",
+                     .slop = true},
+                    "its fall with bounces puts it at"},
+       .velocity = {{}, "v₀ + g t, before it first touches, is"}},
+      predictions);
+  RestitutionOfBounces restitution;
+  for (std::size_t i = 0; i < falls.size(); ++i) {
+    if (found.front().IsBeyond()) {
+      std::vector<double> granted;
+      for (std::size_t s = 0; s < allowed[i].size(); ++s) {
+        granted.push_back(
+            ToleranceOf(allowed[i][s], motion.oracle, StepsBefore(motion, s)));
+      }
+      restitution.after_gravity =
+          restitution.after_gravity && FollowsAfterGravity(motion, falls[i], granted);
+    }
+    restitution.Take(motion, falls[i]);
+  }
+  const bool recognised = restitution.any_telling && restitution.after_gravity;
+  std::vector<LawFinding> findings = FindingsOf(found);
+  if (recognised) findings.front() = found.front().RecognisedAs(kReflectsAfterGravity);
+  if (restitution.worst.IsTaken()) findings.push_back(restitution.worst.finding());
   return findings;
 }
 

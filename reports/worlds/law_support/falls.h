@@ -1,40 +1,35 @@
 #pragma once
 
 #include <array>
-#include <functional>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "reports/worlds/law_support/law.h"
+#include "reports/worlds/law_support/point_mass.h"
 #include "reports/worlds/truth/vertical_bounces.h"
 
 namespace touchstone {
 
 /** A body or particle that falls along the normal of a static plane and bounces on it. */
 struct Fall {
-  std::string name;
+  PointMass point;
   Eigen::Vector3d n_W;  ///< Outward unit normal of the plane.
   Height start;
   double gravity;             ///< Acceleration towards the plane, > 0. [m/s²]
   double restitution;         ///< Coefficient e. [-]
-  Eigen::Vector3d p_W;        ///< Centre at the start. [m]
   Eigen::Vector3d v_along_W;  ///< Velocity along the plane; constant. [m/s]
   double size;                ///< Bounding radius. [m]
-  /** Returns the centre in a state of a motion. */
-  std::function<PointState(const WorldState&)> is;
 
   VerticalBounces Truth() const { return {start, gravity, restitution}; }
 
   /** Returns the position of its centre after `t` [s]. [m] */
   Eigen::Vector3d PlaceAt(double t) const {
-    return p_W + t * v_along_W + (Truth().At(t).gap - start.gap) * n_W;
+    return point.start.p_W + t * v_along_W + (Truth().At(t).gap - start.gap) * n_W;
   }
 };
 
-/** Judges the falls of `subjects` by the closed form of their bounces; `fall_of` returns
- the fall of one of them.
+/** Judges falls by the closed form of their bounces.
 
  Position: the error of an engine that detects contacts once per step is computed. The
  fall is stepped by the rule that reflects the velocity at the start of the step, with
@@ -66,8 +61,7 @@ struct Fall {
  must be those of falls stepped by that rule. The rule adds m g h V per bounce. It is not
  recognised if e g h is within rounding, so that no bounce distinguishes the rules. Errors
  before the first impact or across the normal are not excused. */
-std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<int>& subjects,
-                                   Fall (*fall_of)(const World& world, int subject));
+std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>& falls);
 
 /** Returns whether `v` is along `n`, to the rounding of quaternions with 16 digits. */
 bool IsAlong(const Eigen::Vector3d& v, const Eigen::Vector3d& n);

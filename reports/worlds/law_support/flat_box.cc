@@ -5,7 +5,7 @@
 #include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
-#include "reports/worlds/law_support/slop.h"
+#include "reports/worlds/law_support/prediction.h"
 
 namespace touchstone {
 namespace {
@@ -31,43 +31,43 @@ bool Tips(const RigidBody& box, const OnPlane& on, double grip) {
   return grip * sole.height > on.press * sole.half_width;
 }
 
-FlatBox::FlatBox(const Motion& motion, int body, const OnPlane& on)
-    : motion_(motion),
-      body_(body),
-      half_width_(
-          SoleOf(motion.world.bodies[static_cast<std::size_t>(body)], on).half_width),
-      orientation_(
-          MeasureKind::kOrientationError,
-          WithSlop("1.5 × (1 + μ) of the settling distance, over the half width of the "
-                   "sole; 1e-5 of the distance for the solver, and 64 roundings per step",
-                   motion.oracle)),
-      spin_(MeasureKind::kSpinError,
-            "1.5 × (1 + μ) of the settling speed, over the half width of the sole; 1e-5 "
-            "of the velocity for the solver, and 64 roundings per step") {
+std::vector<Worst> JudgeFlatBox(const Motion& motion, int index, const OnPlane& on,
+                                const std::function<double(double t)>& speed) {
+  const RigidBody& body = motion.world.bodies[static_cast<std::size_t>(index)];
   const double h = motion.world.dt;
-  const double settles = kSafety * (1 + on.plane.friction) / half_width_;
-  settling_angle_ = settles * on.Settling(h);
-  settling_spin_ = settles * on.SettlingSpeed(h);
-}
-
-void FlatBox::Take(std::size_t s, double speed) {
-  const auto i = static_cast<std::size_t>(body_);
-  const RigidBody& body = motion_.world.bodies[i];
-  const BodyState& is = motion_.trajectory.samples[s].bodies[i];
-  const double t = motion_.trajectory.times[s];
-  const double rounding = RoundingOf(motion_.oracle, StepsBefore(motion_, s));
-  const double left = (kSolverResidual + rounding) * speed / half_width_;
+  const double half_width = SoleOf(body, on).half_width;
+  const double settles = (1 + on.plane.friction) / half_width;
+  const AllowedWords angle_words = {
+      .scheme = "(1 + μ) of the settling distance, over the half width of the sole",
+      .solved = "the distance",
+      .slop = true};
+  const AllowedWords spin_words = {
+      .scheme = "(1 + μ) of the settling speed, over the half width of the sole",
+      .solved = "the velocity"};
+  Worst orientation(MeasureKind::kOrientationError, angle_words.Because(motion.oracle));
+  Worst spin(MeasureKind::kSpinError, spin_words.Because(motion.oracle));
   const Eigen::Quaterniond q_WB(body.placed.X_WB.R_WB);
-  const double angle = q_WB.angularDistance(is.q_WB.normalized());
-  orientation_.Take(angle, settling_angle_ + left * t + rounding, [&] {
-    return Citing("{} has {} turned by {:.6g} rad after {:.6g} s; nothing turns it",
-                  motion_.oracle.name, CitedName{body.name}, angle, CitedTime{t});
-  });
-  spin_.Take(is.w_WB.norm(), settling_spin_ + left, [&] {
-    return Citing("{} has {} spinning at {} after {:.6g} s; nothing turns it",
-                  motion_.oracle.name, CitedName{body.name}, FormatVector(is.w_WB, 9),
-                  CitedTime{t});
-  });
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const BodyState& is =
+        motion.trajectory.samples[s].bodies[static_cast<std::size_t>(index)];
+    const double t = motion.trajectory.times[s];
+    const double steps = StepsBefore(motion, s);
+    const double turned = speed(t) / half_width;
+    const double angle = q_WB.angularDistance(is.q_WB.normalized());
+    const Allowed of_angle = {
+        .scheme = settles * on.Settling(h), .solved = turned * t, .computed = 1};
+    orientation.Take(angle, ToleranceOf(of_angle, motion.oracle, steps), [&] {
+      return Citing("{} has {} turned by {:.6g} rad after {:.6g} s; nothing turns it",
+                    motion.oracle.name, CitedName{body.name}, angle, CitedTime{t});
+    });
+    const Allowed of_spin = {.scheme = settles * on.SettlingSpeed(h), .solved = turned};
+    spin.Take(is.w_WB.norm(), ToleranceOf(of_spin, motion.oracle, steps), [&] {
+      return Citing("{} has {} spinning at {} after {:.6g} s; nothing turns it",
+                    motion.oracle.name, CitedName{body.name}, FormatVector(is.w_WB, 9),
+                    CitedTime{t});
+    });
+  }
+  return {orientation, spin};
 }
 
 }  // namespace touchstone

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstddef>
+#include <functional>
+#include <vector>
 
 #include "reports/worlds/law_support/on_plane.h"
 #include "reports/worlds/law_support/worst.h"
@@ -12,7 +13,7 @@ namespace touchstone {
  most to the edge. */
 bool Tips(const RigidBody& box, const OnPlane& on, double grip);
 
-/** Checks that a box that slides flat on a plane does not rotate.
+/** Judges that a box that slides flat on a plane does not rotate: orientation and spin.
 
  The normal forces λ_i on its sole, at r_i from the point below the centre, balance the
  moment of the friction f along f̂. So Σ λ_i r_i is along f̂, and the moment μ (Σ λ_i r_i) ×
@@ -21,27 +22,11 @@ bool Tips(const RigidBody& box, const OnPlane& on, double grip);
  While the box settles, its corners move along the normal, by Settling() and at
  SettlingSpeed() at most. Friction follows the pressure, so it turns the box about the
  normal by μ times as much. Divided by the half width of the sole these are angles and
- spins, × 1.5. The solver leaves kSolverResidual of the speed. */
-class FlatBox {
- public:
-  /** `on` says how `world.bodies[body]` lies on its plane. @pre It is a box. */
-  FlatBox(const Motion& motion, int body, const OnPlane& on);
+ spins, × 1.5. The solver leaves 1e-5 of the speed over that half width.
 
-  /** Checks sample `s`, up to which friction and gravity may have changed the velocity by
-   `speed` [m/s]. */
-  void Take(std::size_t s, double speed);
-
-  const Worst& orientation() const { return orientation_; }
-  const Worst& spin() const { return spin_; }
-
- private:
-  const Motion& motion_;
-  int body_;
-  double settling_angle_;  ///< [rad]
-  double settling_spin_;   ///< [rad/s]
-  double half_width_;      ///< Smaller half width of the sole. [m]
-  Worst orientation_;
-  Worst spin_;
-};
+ `on` says how `world.bodies[body]` lies on its plane; `speed(t)` is what friction and
+ gravity may have changed of its velocity until `t` [s]. [m/s] @pre It is a box. */
+std::vector<Worst> JudgeFlatBox(const Motion& motion, int body, const OnPlane& on,
+                                const std::function<double(double t)>& speed);
 
 }  // namespace touchstone

@@ -5,10 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/law_support/at_sample.h"
-#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/envelope.h"
+#include "reports/worlds/law_support/prediction.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
 namespace {
@@ -124,60 +123,84 @@ HeldByRods ChainOf(const World& world, const std::vector<PointMass>& points) {
   return held;
 }
 
-std::vector<LawFinding> JudgeHeld(
-    const Motion& motion, const HeldByRods& held, double until,
-    const std::function<std::vector<PointState>(std::size_t)>& truth) {
-  const std::string because =
-      "1.5 × the largest error so far of first-order engines that constrain rods by "
-      "velocity, by Baumgarte's term or by projection, stepped next to the truth; for "
-      "velocities at least ¼ h Δ(v²/L) a step along each rod, as of engines that keep "
-      "lengths by mean velocities; and 64 roundings per step";
-  Worst position(MeasureKind::kPositionError, because);
-  Worst velocity(MeasureKind::kVelocityError, because);
-  std::vector<std::vector<PointState>> stepped(kRodSchemes.size(), held.Start());
-  double done = 0;
-  double off = 0;
-  double off_speed = 0;
+namespace {
+
+/** Returns the speeds that engines that keep lengths by mean velocities may have along
+ the rods at each sample: ¼ h Δ(v²/L) a step, with alternating sign; the largest so far.
+ [m/s] */
+std::vector<double> SpeedsAlongRods(const Motion& motion, const HeldByRods& held,
+                                    const std::vector<std::vector<PointState>>& truth) {
+  std::vector<double> largest;
   std::vector<double> last = CentripetalAccelerations(held.system, held.Start());
-  std::vector<double> stretch(last.size(), 0);  // Velocities along the rods. [m/s]
-  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
-    const double t = motion.trajectory.times[s];
-    if (t > until) break;
-    const std::vector<PointState> points = truth(s);
-    const std::vector<double> now = CentripetalAccelerations(held.system, points);
+  std::vector<double> along(last.size(), 0);
+  double done = 0;
+  double so_far = 0;
+  for (std::size_t s = 0; s < truth.size(); ++s) {
+    const std::vector<double> now = CentripetalAccelerations(held.system, truth[s]);
     const auto steps = static_cast<int>(std::lround(StepsBefore(motion, s) - done));
     done = StepsBefore(motion, s);
     for (int step = 0; step < steps; ++step) {
-      double along_rods = 0;
+      double sum = 0;
       for (std::size_t k = 0; k < now.size(); ++k) {
-        stretch[k] = motion.world.dt / 4 * (now[k] - last[k]) / steps - stretch[k];
-        along_rods += std::abs(stretch[k]);
+        along[k] = motion.world.dt / 4 * (now[k] - last[k]) / steps - along[k];
+        sum += std::abs(along[k]);
       }
-      off_speed = std::max(off_speed, along_rods);
-      for (std::size_t k = 0; k < kRodSchemes.size(); ++k)
-        StepRods(kRodSchemes[k], held.system, motion.world.dt, stepped[k]);
+      so_far = std::max(so_far, sum);
     }
     last = now;
-    for (const std::vector<PointState>& by_scheme : stepped) {
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        off = std::max(off, (by_scheme[i].p_W - points[i].p_W).norm());
-        off_speed = std::max(off_speed, (by_scheme[i].v_W - points[i].v_W).norm());
-      }
-    }
-    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const PointMass& point = held.points[i];
-      const PointState is = point.In(motion.trajectory.samples[s]);
-      const double speed = points[i].v_W.norm() + held.system.g_W.norm() * t;
-      const AtSample at{motion, s, point.name};
-      at.Compare(position, is.p_W, points[i].p_W,
-                 kSafety * off + rounding * (points[i].p_W.norm() + speed * t),
-                 "the exact swing is at");
-      at.Compare(velocity, is.v_W, points[i].v_W, kSafety * off_speed + rounding * speed,
-                 "the exact swing moves at");
-    }
+    largest.push_back(so_far);
   }
-  return FindingsOf({position, velocity});
+  return largest;
+}
+
+Apart Between(const std::vector<PointState>& a, const std::vector<PointState>& b) {
+  Apart apart;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    apart.TakeLarger({(a[i].p_W - b[i].p_W).norm(), (a[i].v_W - b[i].v_W).norm()});
+  return apart;
+}
+
+}  // namespace
+
+std::vector<LawFinding> JudgeHeld(const Motion& motion, const HeldByRods& held,
+                                  const std::vector<std::vector<PointState>>& truth) {
+  Envelope errors(motion, truth.size());
+  for (const RodScheme scheme : kRodSchemes) {
+    std::vector<PointState> stepped = held.Start();
+    errors.Include([&] { StepRods(scheme, held.system, motion.world.dt, stepped); },
+                   [&](std::size_t s) { return Between(stepped, truth[s]); });
+  }
+  const std::vector<double> along = SpeedsAlongRods(motion, held, truth);
+  std::vector<Prediction> predictions;
+  for (std::size_t i = 0; i < held.points.size(); ++i) {
+    const PointMass& point = held.points[i];
+    predictions.push_back(
+        {point.name, point.Reader(), [&, i](std::size_t s) {
+           if (s >= truth.size()) return PredictedState{};
+           const PointState& is = truth[s][i];
+           const double t = motion.trajectory.times[s];
+           const double speed = is.v_W.norm() + held.system.g_W.norm() * t;
+           return PredictedState{
+               .position = {{is.p_W,
+                             {.scheme = errors.At(s).place,
+                              .computed = is.p_W.norm() + speed * t}}},
+               .velocity = {{is.v_W,
+                             {.scheme = std::max(errors.At(s).speed, along[s]),
+                              .computed = speed}}}};
+         }});
+  }
+  const AllowedWords stepped = {
+      .scheme =
+          "the largest error so far of first-order engines that constrain rods by "
+          "velocity, by Baumgarte's term or by projection, stepped next to the truth; "
+          "for "
+          "velocities at least ¼ h Δ(v²/L) a step along each rod, as of engines that "
+          "keep "
+          "lengths by mean velocities"};
+  return FindingsOf(JudgePredictions(motion,
+                                     {.position = {stepped, "the exact swing is at"},
+                                      .velocity = {stepped, "the exact swing moves at"}},
+                                     predictions));
 }
 
 }  // namespace touchstone

@@ -75,6 +75,8 @@ inline bool IsBeyond(const LawFinding& finding) {
  predictions come from the world and the claim, never from an engine. */
 struct Law {
   std::string_view name;  ///< The name in scenario files, e.g. "ballistic".
+  /** Older names, of laws that have become cases of this one. Files may use them. */
+  std::span<const std::string_view> aliases = {};
   /** One line: the statement, and the names the claim must give. */
   std::string_view documentation;
   /** The numbers that a claim may state, sorted. A number "expected_…" is derived by the
@@ -90,9 +92,11 @@ struct Law {
    order of the engine's scheme as the step goes to 0, so the order and the limit are
    judged too. */
   bool smooth = false;
-  /** Returns the closed-form position of the centre of the claim's first subject at `t`
-   [s], for display. Null if the law predicts no position. World frame. [m] */
-  Eigen::Vector3d (*place)(const World& world, const Claim& claim, double t) = nullptr;
+  /** Returns the predicted positions of the centre of the claim's first subject at
+   `times` [s], ascending, for display: those until which the claim is judged. Null if the
+   law predicts no position. World frame. [m] */
+  std::vector<Eigen::Vector3d> (*places)(const World& world, const Claim& claim,
+                                         const std::vector<double>& times) = nullptr;
   /** Whether the motion has impacts. They fall anywhere within their steps: halving the
    step may change the motion more or less by chance, so three steps show no order. The
    tolerance still falls with the step. So instead of the order and the limit, the

@@ -12,6 +12,14 @@ PointState PointMass::In(const WorldState& state) const {
   return {state.bodies[i].p_WB, state.bodies[i].v_WB};
 }
 
+std::function<BodyState(const WorldState&)> PointMass::Reader() const {
+  return [*this](const WorldState& state) {
+    const PointState is = In(state);
+    return BodyState{is.p_W, Eigen::Quaterniond::Identity(), is.v_W,
+                     Eigen::Vector3d::Zero()};
+  };
+}
+
 bool PointMass::IsAt(const Anchor& anchor) const {
   return anchor.on == on && anchor.index == index && anchor.point.isZero(0);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct PointMass {
 
   /** Returns its state in `state`. */
   PointState In(const WorldState& state) const;
+
+  /** Returns the function that reads its state, without a spin. */
+  std::function<BodyState(const WorldState&)> Reader() const;
 
   /** Returns whether `anchor` is its centre. */
   bool IsAt(const Anchor& anchor) const;

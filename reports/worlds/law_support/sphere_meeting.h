@@ -34,20 +34,20 @@ struct SphereMeeting {
 };
 
 /** Both sides of an impact at one moment. */
-struct Met {
+struct BothSides {
   Striker A;
   Striker B;
 };
 
 /** Returns both sides after `t`. The impact acts at time `impact` [s], at points that lie
  `inset` [-] of the overlap inside the spheres, with friction by `cone`. */
-Met MetAt(const SphereMeeting& meeting, double t, double impact, double inset,
-          const PlacedCone& cone);
+BothSides SidesAt(const SphereMeeting& meeting, double t, double impact, double inset,
+                  const PlacedCone& cone);
 
 /** Both sides just before and just after their impact. */
 struct Outcome {
-  Met before;
-  Met after;
+  BothSides before;
+  BothSides after;
 
   /** Returns the kinetic energy after the impact over that before it. */
   double EnergyRatio() const;

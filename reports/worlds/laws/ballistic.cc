@@ -1,15 +1,16 @@
-#include "reports/worlds/laws/ballistic.h"
-
 #include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "reports/worlds/law_support/at_sample.h"
-#include "reports/worlds/law_support/error_laws.h"
-#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/each_subject.h"
+#include "reports/worlds/law_support/envelope.h"
 #include "reports/worlds/law_support/point_mass.h"
-#include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/law_support/prediction.h"
+#include "reports/worlds/laws/every_law.h"
+#include "reports/worlds/truth/damped_flight.h"
 
 namespace touchstone {
 namespace {
@@ -19,9 +20,13 @@ struct Flight {
   PointMass point;
   std::vector<std::pair<double, Eigen::Vector3d>> kicks;  ///< Time [s], Δv [m/s].
 
+  /** Returns its state after `t` [s], without the kicks. */
+  PointState Unkicked(double t) const {
+    return DampedFlight(point.start, point.a_W, point.damping, t);
+  }
+
   PointState At(double t, double dt) const {
-    const auto& [p_W, v_W] = point.start;
-    PointState at{p_W + v_W * t + point.a_W * (t * t / 2), v_W + point.a_W * t};
+    PointState at = Unkicked(t);
     for (const auto& [time, dv_W] : kicks) {
       // Half a step of tolerance: times are multiples of the step.
       if (t < time + dt / 2) continue;
@@ -31,13 +36,28 @@ struct Flight {
     return at;
   }
 
-  /** Upper bound of the terms |x| + |v| t that a position is the sum of; Speed() is the
-   same bound |v| + |a| t of the velocity. */
-  double Reach(double t) const { return point.start.p_W.norm() + Speed(t) * t; }
-  double Speed(double t) const {
+  /** Returns an upper bound of its speed until `t`. [m/s] */
+  double SpeedUntil(double t) const {
     double speed = point.start.v_W.norm() + point.a_W.norm() * t;
     for (const auto& [time, dv_W] : kicks) speed += dv_W.norm();
     return speed;
+  }
+
+  /** Returns the largest error so far of the schemes for such a flight. Kicks move them
+   as they move the truth. */
+  Envelope Errors(const Motion& motion) const {
+    Envelope errors(motion);
+    for (const FlightScheme& scheme : FlightSchemes()) {
+      PointState stepped = point.start;
+      errors.Include(
+          [&] { StepFlight(scheme, point.a_W, point.damping, motion.world.dt, stepped); },
+          [&](std::size_t s) {
+            const PointState truth = Unkicked(motion.trajectory.times[s]);
+            return Apart{(stepped.p_W - truth.p_W).norm(),
+                         (stepped.v_W - truth.v_W).norm()};
+          });
+    }
+    return errors;
   }
 };
 
@@ -55,68 +75,115 @@ std::vector<Flight> FlightsOf(const World& world, const Claim& claim) {
   return flights;
 }
 
-std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults =
-      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true});
-  if (!faults.empty()) return faults;
-  for (const PointMass& point : PointMassesOf(world, SubjectsOf(world, claim))) {
-    if (IsHeld(world, point.on, point.index)) {
-      faults.push_back(FaultAbout(claim, point.name, "a spring or a joint holds",
-                                  "a body or particle that nothing holds"));
-    }
-    if (point.damping > 0) {
-      faults.push_back(
-          FaultAbout(claim, point.name, "is damped",
-                     "a particle without damping (particle_flight knows damped ones)"));
-    }
-  }
-  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
+std::string WhyNot(const World& world, const PointMass& point) {
+  return IsHeld(world, point.on, point.index) ? "is held by a spring or a joint" : "";
 }
 
-std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
-  const World& world = motion.world;
-  Worst position(
-      MeasureKind::kPositionError,
-      "1.5 × ½ |a| h t, the error of semi-implicit Euler, and 64 roundings per step");
-  Worst velocity(
-      MeasureKind::kVelocityError,
-      "64 roundings per step: every scheme integrates a constant force exactly",
-      Grants::kRounding);
-  const std::vector<Flight> flights = FlightsOf(world, claim);
+ExpectedNumbers NumbersOfPoint(const World& /*world*/, const PointMass& point) {
+  if (point.damping == 0) return {};
+  return {{"expected_terminal_speed", point.a_W.norm() / point.damping}};
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  return FaultsOfEachPoint(world, claim,
+                           {.why_not = WhyNot,
+                            .expected = "a body or particle that nothing holds",
+                            .numbers = NumbersOfPoint});
+}
+
+Prediction Predict(const Motion& motion, const Flight& flight) {
+  const auto errors = std::make_shared<const Envelope>(flight.Errors(motion));
+  const bool damped = flight.point.damping > 0;
+  return {flight.point.name, flight.point.Reader(),
+          [&motion, &flight, errors, damped](std::size_t s) -> PredictedState {
+            const double t = motion.trajectory.times[s];
+            const PointState truth = flight.At(t, motion.world.dt);
+            const double speed = flight.SpeedUntil(t);
+            const double reach = flight.point.start.p_W.norm() + speed * t;
+            // Without damping every scheme integrates the constant force exactly.
+            const double off_speed = damped ? errors->At(s).speed : 0;
+            return {.position = {{truth.p_W,
+                                  {.scheme = errors->At(s).place, .computed = reach}}},
+                    .velocity = {{truth.v_W, {.scheme = off_speed, .computed = speed}}}};
+          }};
+}
+
+/** Returns how far a motion without damping is from semi-implicit Euler's parabola, which
+ is ½ a h t off. */
+NearestScheme FromEuler(const Motion& motion, const std::vector<Flight>& flights) {
   NearestScheme scheme{"semi-implicit Euler"};
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
-    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
     for (const Flight& flight : flights) {
-      const PointState is = flight.point.In(motion.trajectory.samples[s]);
-      const PointState truth = flight.At(t, world.dt);
-      const AtSample at{motion, s, flight.point.name};
-      const Eigen::Vector3d euler_W = flight.point.a_W * (world.dt * t / 2);
-      at.Compare(position, is.p_W, truth.p_W,
-                 kSafety * euler_W.norm() + rounding * flight.Reach(t),
-                 "x₀ + v₀ t + ½ a t² is");
-      scheme.error = std::max(scheme.error, (is.p_W - truth.p_W - euler_W).norm());
-      at.Compare(velocity, is.v_W, truth.v_W, rounding * flight.Speed(t), "v₀ + a t is");
+      const Eigen::Vector3d euler_W = flight.point.a_W * (motion.world.dt * t / 2);
+      const Eigen::Vector3d is_W = flight.point.In(motion.trajectory.samples[s]).p_W;
+      const Eigen::Vector3d off_W = is_W - flight.At(t, motion.world.dt).p_W - euler_W;
+      scheme.error = std::max(scheme.error, off_W.norm());
     }
   }
-  std::vector<LawFinding> findings = FindingsOf({position, velocity});
-  findings.front().scheme = scheme;
+  return scheme;
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const std::vector<Flight> flights = FlightsOf(motion.world, claim);
+  const bool any_damped =
+      std::any_of(flights.begin(), flights.end(),
+                  [](const Flight& f) { return f.point.damping > 0; });
+  const AllowedWords stepped = {
+      .scheme =
+          "the largest error so far of first-order schemes, stepped next to the truth"};
+  std::vector<Prediction> predictions;
+  predictions.reserve(flights.size());
+  for (const Flight& flight : flights) predictions.push_back(Predict(motion, flight));
+  std::vector<LawFinding> findings = FindingsOf(JudgePredictions(
+      motion,
+      {.position = {stepped,
+                    any_damped ? "its damped flight leads to" : "x₀ + v₀ t + ½ a t² is"},
+       .velocity = {any_damped ? stepped : AllowedWords{},
+                    any_damped ? "its damped flight has it moving at" : "v₀ + a t is"}},
+      predictions));
+  if (!any_damped) findings.front().scheme = FromEuler(motion, flights);
   return findings;
 }
 
-Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
-  return FlightsOf(world, claim).front().At(t, world.dt).p_W;
+std::vector<Eigen::Vector3d> Places(const World& world, const Claim& claim,
+                                    const std::vector<double>& times) {
+  const Flight flight = FlightsOf(world, claim).front();
+  std::vector<Eigen::Vector3d> places;
+  places.reserve(times.size());
+  for (const double t : times) places.push_back(flight.At(t, world.dt).p_W);
+  return places;
 }
+
+constexpr std::array<std::string_view, 1> kAliases = {"particle_flight"};
+constexpr std::array<std::string_view, 1> kNumbers = {"expected_terminal_speed"};
 
 }  // namespace
 
+/** A body or particle in free flight moves along x = x₀ + v₀ t + ½ a t², v = v₀ + a t,
+ with a = g + F/m. A push J at t_J adds (t − t_J) J/m and J/m. The velocity of a damped
+ particle decays as e^{−c t}: v̇ = g − c v (truth/damped_flight.h). [m/s], [m]
+
+ Tolerance: 1.5 times the largest error so far of eight schemes that are stepped next to
+ the truth: damping or gravity first, position or velocity first, and damping by e^(−c h)
+ or by 1 − c h. All are of first order, and they differ by one step. Without damping they
+ are semi-implicit and explicit Euler, off by ±½ a h t in position and exact in velocity:
+ N steps of v += a h, x += v h sum to v₀ t + a h² N (N+1)/2. 64 roundings per step are
+ added.
+
+ About: bodies and particles that no spring, joint or contact holds. Numbers:
+ expected_terminal_speed, |g|/c. Measures: position, velocity. */
 constinit const Law kBallistic = {
     .name = "ballistic",
-    .documentation = "A body in free flight moves along x₀ + v₀ t + ½ (g + F/m) t².",
+    .aliases = kAliases,
+    .documentation =
+        "A body in free flight moves along x₀ + v₀ t + ½ (g + F/m) t²; a damped particle "
+        "by v̇ = g − c v.",
+    .numbers = kNumbers,
     .faults = Faults,
     .judge = Judge,
     .smooth = true,
-    .place = Place,
+    .places = Places,
 };
 
 }  // namespace touchstone

@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/conserves_angular_momentum.h"
-
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -16,6 +14,7 @@
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/every_law.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
@@ -156,6 +155,20 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_angular_momentum
 
 }  // namespace
 
+/** The angular momentum Σ (x − c) × m v + R I Rᵀ ω of an isolated system, about its
+ centre of mass c, never changes: uniform gravity has no torque about c. [N m s]
+
+ Impulses along the line of their points, and impulses at one common point, conserve it
+ for any step. The tolerance is what a first-order scheme may lose along the
+ motion, at speeds that the truth allows (law_support/allowed_motion.h), × 1.5. The
+ gyroscopic term loses h ∫ max(|ω̇ × L − ½ ω × (ω × L)|, ½ |ω × (ω × L)|) dt. A rod loses ½
+ h ∫ m v³/L dt. A contact impulse loses V h times its size if an engine applies it to each
+ body at that body's own surface, which may lie V h inside the other body. Bodies at rest
+ are granted the angular momentum of NoiseOfPositions().
+
+ About: bodies, particles and cloths that nothing else holds. Numbers: x, y, z, a
+ direction along which it is conserved if the rest is not; expected_angular_momentum:
+ |L(0)|. */
 constinit const Law kConservesAngularMomentum = {
     .name = "conserves_angular_momentum",
     .documentation =

@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/conserves_momentum.h"
-
 #include <array>
 #include <string_view>
 
@@ -11,6 +9,7 @@
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/every_law.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
@@ -78,6 +77,16 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_momentum", "x", 
 
 }  // namespace
 
+/** The linear momentum of an isolated system is changed only by external forces and
+ pushes: P(t) = P(0) + t Σ (m g + F) + Σ J. [N s]
+
+ Contacts, springs and joints within the system apply equal and opposite impulses, for any
+ step and however badly they are solved. Every scheme integrates a constant force exactly.
+ So the tolerance is rounding alone.
+
+ About: bodies, particles and cloths that nothing else holds. Numbers: x, y, z, a
+ direction along which momentum is conserved if the rest is not (a frictionless floor); if
+ absent, all of it is. expected_momentum: |P(0)|. */
 constinit const Law kConservesMomentum = {
     .name = "conserves_momentum",
     .documentation =

@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/energy_never_rises.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/every_law.h"
 
 namespace touchstone {
 namespace {
@@ -70,6 +69,15 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 }  // namespace
 
+/** Without pushes, the energy of a system never rises above any earlier value. [J]
+
+ Contacts, friction and damping only take energy. The tolerance is that of
+ conserves_energy (law_support/energy_bound.h), above the least energy so far:
+ semi-implicit Euler lets the energy oscillate by that. Newton's restitution with Coulomb
+ friction may gain energy in an eccentric impact, so pairs with enough restitution are
+ granted the most that it can gain (law_support/impact_gain.h), and no others.
+
+ About: bodies, particles and cloths. */
 constinit const Law kEnergyNeverRises = {
     .name = "energy_never_rises",
     .documentation = "Contacts, friction and damping only take energy.",

@@ -1,21 +1,18 @@
-#include "reports/worlds/laws/incline.h"
-
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/each_subject.h"
-#include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/flat_box.h"
 #include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/prediction.h"
 #include "reports/worlds/law_support/round_body.h"
-#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/laws/every_law.h"
 
 namespace touchstone {
 namespace {
@@ -71,58 +68,54 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 }
 
 std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {
-  const World& world = motion.world;
-  const double h = world.dt;
+  const double h = motion.world.dt;
   const auto i = static_cast<std::size_t>(index);
-  const RigidBody& body = world.bodies[i];
+  const RigidBody& body = motion.world.bodies[i];
   const OnPlane on = OnPlaneOf(motion, index);
   const double mu = on.plane.friction;
   const Start start = StartOf(body, on, cone);
   const double pull = on.along_W.norm() + mu * on.press;
   const double r = BoundingRadius(body.placed.shape);
-  std::optional<FlatBox> flat;
-  if (std::holds_alternative<Box>(body.placed.shape)) flat.emplace(motion, index, on);
-  const std::string here = fmt::format("on this slope with μ = {:.6g} it ", mu);
-  const std::string because = WithSlop(
-      "1.5 × ((1 + μ) |v_n| of the body's own velocity along the normal, and δ/r of the "
-      "velocity for a contact at depth δ), 1e-5 of the velocity from gravity and "
-      "friction for the solver, and 64 roundings per step",
-      motion.oracle);
-  Worst velocity(MeasureKind::kVelocityError, because);
-  Worst spin(MeasureKind::kSpinError, because);
-  Worst position(MeasureKind::kPositionError,
-                 WithSlop("1.5 × (½ a h t and the settling distance), 1e-5 of the "
-                          "distance from gravity and friction for the solver, and 64 "
-                          "roundings per step",
-                          motion.oracle));
-  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+  const bool is_box = std::holds_alternative<Box>(body.placed.shape);
+  const double inside = on.Settling(h) / r;
+  const auto predict = [&](std::size_t s) {
     const double t = motion.trajectory.times[s];
-    const AtSample at{motion, s, body.name};
-    const BodyState& is = motion.trajectory.samples[s].bodies[i];
-    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
-    const double share = kSolverResidual + rounding;
-    const double across = (1 + mu) * on.SpeedAcross(is.v_WB, h);
-    const double inside = on.Settling(h) / r;
+    const double across =
+        (1 + mu) * on.SpeedAcross(motion.trajectory.samples[s].bodies[i].v_WB, h);
     const Eigen::Vector3d v_W = start.a_W * t;
-    at.Compare(velocity, is.v_WB, v_W,
-               kSafety * (across + inside * v_W.norm()) + share * pull * t,
-               here + "moves at");
-    const Eigen::Vector3d p_W = body.placed.X_WB.p_WB + v_W * (t / 2);
-    at.Compare(position, is.p_WB, p_W,
-               kSafety * (v_W.norm() * (h + inside * t) / 2 + on.Settling(h)) +
-                   share * pull * t * t / 2 + rounding * body.placed.X_WB.p_WB.norm(),
-               here + "is at");
-    if (flat) {
-      flat->Take(s, pull * t);
-      continue;
-    }
+    PredictedState predicted{
+        .position = {{body.placed.X_WB.p_WB + v_W * (t / 2),
+                      {.scheme = v_W.norm() * (h + inside * t) / 2 + on.Settling(h),
+                       .solved = pull * t * t / 2,
+                       .computed = body.placed.X_WB.p_WB.norm()}}},
+        .velocity = {
+            {v_W, {.scheme = across + inside * v_W.norm(), .solved = pull * t}}}};
+    if (is_box) return predicted;
     const Eigen::Vector3d w_W = start.alpha_W * t;
-    at.Compare(spin, is.w_WB, w_W,
-               kSafety * (across / r + inside * w_W.norm()) + share * pull * t / r,
-               here + "spins at");
-  }
-  if (flat) return {position, velocity, flat->orientation(), flat->spin()};
-  return {position, velocity, spin};
+    predicted.spin = {
+        w_W, {.scheme = across / r + inside * w_W.norm(), .solved = pull * t / r}};
+    return predicted;
+  };
+  const std::string here = fmt::format("on this slope with μ = {:.6g} it", mu);
+  const AllowedWords of_velocity = {
+      .scheme =
+          "((1 + μ) |v_n| of the body's own velocity along the normal, and δ/r of "
+          "the velocity for a contact at depth δ)",
+      .solved = "the velocity from gravity and friction",
+      .slop = true};
+  const AllowedWords of_position = {.scheme = "(½ a h t and the settling distance)",
+                                    .solved = "the distance from gravity and friction",
+                                    .slop = true};
+  std::vector<Worst> found =
+      JudgePredictions(motion,
+                       {.position = {of_position, here + " is at"},
+                        .velocity = {of_velocity, here + " moves at"},
+                        .spin = {of_velocity, here + " spins at"}},
+                       {{body.name, StateOfBody(index), predict}});
+  if (!is_box) return found;
+  for (Worst& worst : JudgeFlatBox(motion, index, on, [&](double t) { return pull * t; }))
+    found.push_back(std::move(worst));
+  return found;
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -133,6 +126,24 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
 
 }  // namespace
 
+/** A body that starts at rest on a slope of angle θ stays, slides or rolls. [m/s], [m],
+ [rad/s]
+
+ Box (Gazebo "FrictionDemo"): stays if μ >= tan θ, else a = g (sin θ − μ cos θ). Sphere of
+ inertia k m r² (Drake inclined_plane_test): rolls with a = g sin θ/(1 + k) if μ >= tan θ
+ k/(1 + k), else slips with a = g (sin θ − μ cos θ), α = μ g cos θ/(k r).
+
+ The velocity is exact to the solver's residual: the friction impulse is μ times the
+ normal impulse, and that cancels gravity's, however late the contact is detected. Two
+ errors remain, × 1.5. The body's current velocity v_n along the normal contributes (1 +
+ μ) |v_n|. A contact at depth δ contributes δ/r of the velocity, where δ is the settling
+ distance and r the radius, or the bounding radius of a box. Position: ½ a h t and the
+ settling distance, × 1.5. 64 roundings per step.
+
+ Solvers with two friction directions hold more (box cone) or less (diamond cone) between
+ their axes; bodies that move accordingly are recognised.
+
+ About: boxes that lie flat, spheres. Numbers: expected_acceleration. */
 constinit const Law kIncline = {
     .name = "incline",
     .documentation =

@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/minimum_energy.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +11,7 @@
 #include "reports/worlds/law_support/point_mass.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/every_law.h"
 #include "reports/worlds/truth/mechanics.h"
 #include "reports/worlds/truth/net.h"
 #include "reports/worlds/truth/net_motion.h"
@@ -229,6 +228,23 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 }  // namespace
 
+/** A damped system comes to rest at a minimum of its energy. [m], [J]
+
+ An independent minimiser (truth/net.h) finds the minimum of −Σ m g·x + Σ ½ k (|p_AB| −
+ L)² nearest to the last sample. The measures are the distance of the points from it and
+ the energy, kinetic and potential, above it. A stationary shape carries its weight, so
+ that needs no claim of its own.
+
+ That minimum is the truth if the one downhill from the start is not lower. Otherwise the
+ truth is the minimum that an independent integration comes to (truth/net_motion.h). If
+ that is uncertain, nothing is judged.
+
+ Tolerance: the amplitude at the start (of position, speed and energy) times e^{−γ t}, and
+ the energy at the start times e^{−2 γ t}, both × 1.5; γ is the slowest decay of small
+ motion by the damping of particles and nodes. 64 roundings per step.
+
+ About: damped cloths, and damped particles, with the springs among them and to static
+ things; no rods. Numbers: none. */
 constinit const Law kMinimumEnergy = {
     .name = "minimum_energy",
     .documentation =

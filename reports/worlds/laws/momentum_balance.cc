@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/momentum_balance.h"
-
 #include <algorithm>
 #include <vector>
 
@@ -10,6 +8,7 @@
 #include "reports/worlds/law_support/reported_impulses.h"
 #include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/every_law.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
@@ -83,6 +82,18 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 }  // namespace
 
+/** A body's momentum changes by gravity, its force, pushes and the contact impulses that
+ the engine reports: m Δv = Δt (m g + F) + Σ J. [N s]
+
+ Every scheme satisfies that, for any step and however badly contacts are solved. So the
+ tolerance is rounding alone: 64 roundings per step of the sum of the magnitudes;
+ SolverRoundingOf() of the impulses on the body for each contact of a step, or of all
+ impulses of the step if that is more, since a cost is one of all of them; and the
+ momentum of NoiseOfPositions(). An engine whose impulses do not balance reports others
+ than it applied.
+
+ Judges only engines that report contact impulses. About: bodies that no spring or joint
+ holds. Numbers: none. */
 constinit const Law kMomentumBalance = {
     .name = "momentum_balance",
     .documentation =

@@ -1,16 +1,19 @@
-#include "reports/worlds/laws/pendulum.h"
+#include "reports/worlds/truth/pendulum.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "reports/worlds/law_support/held_by_rods.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/truth/pendulum.h"
+#include "reports/worlds/laws/every_law.h"
 
 namespace touchstone {
 namespace {
@@ -21,6 +24,9 @@ constexpr double kInPlane = 1e-9;
 /** Smallest 1 + cos θ at which a mass at rest does not count as balanced above its pivot.
  [-] */
 constexpr double kOnHead = 1e-6;
+
+/** Name of the number that ends the judgement. */
+constexpr std::string_view kUntil = "until";
 
 /** A pendulum at p + L (sin θ x̂ + cos θ ĝ). */
 struct Swinging {
@@ -59,11 +65,9 @@ Swinging SwingingOf(const World& world, const std::vector<PointMass>& points) {
   return swinging;
 }
 
-std::string WhyNot(const World& world, const std::vector<PointMass>& points) {
-  if (points.size() != 1) return fmt::format("are {} bodies or particles", points.size());
+/** Returns the reason why a single mass does not swing in a vertical plane. */
+std::string WhyNoPlaneSwing(const World& world, const std::vector<PointMass>& points) {
   if (world.gravity_W.isZero(0)) return "is in a world without gravity";
-  std::string why = WhyNoChain(world, points);
-  if (!why.empty()) return why;
   const Swinging swinging = SwingingOf(world, points);
   const Eigen::Vector3d& v_W = points.front().start.v_W;
   const Eigen::Vector3d arm_W = points.front().start.p_W - swinging.p_W;
@@ -81,9 +85,19 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
       FaultsOfSubjects(world, claim, {.bodies = true, .particles = true});
   if (!faults.empty()) return faults;
   const std::vector<PointMass> points = PointMassesInOrder(world, claim);
-  const std::string why = WhyNot(world, points);
-  if (!why.empty())
-    return {{"about", why, "a mass on one rod to a fixed point, swinging in a plane"}};
+  const bool one = points.size() == 1;
+  std::string why = WhyNoChain(world, points);
+  if (why.empty() && one) why = WhyNoPlaneSwing(world, points);
+  if (!why.empty()) {
+    return {
+        {"about", why,
+         one ? "a mass on one rod to a fixed point, swinging in a plane"
+             : "first a mass on a rod to a fixed point, then each on a rod to the one "
+               "before"}};
+  }
+  if (NumberOr(claim, kUntil, 1) <= 0)
+    return {{"numbers.until", "is not positive", "a time > 0"}};
+  if (!one) return FaultsOfNumbers(claim, {});
   const Swinging swinging = SwingingOf(world, points);
   return FaultsOfNumbers(
       claim, {{"expected_period", Pendulum(swinging.omega, swinging.start).period()}});
@@ -99,34 +113,79 @@ PointState At(const Swinging& swinging, const PendulumAngle& angle) {
           swinging.length * angle.rate * (cosine * x_W - sine * down_W)};
 }
 
+/** Returns the exact motion at each of `times` until the time that the claim states. */
+std::vector<std::vector<PointState>> TruthOf(const World& world, const Claim& claim,
+                                             const HeldByRods& held,
+                                             const std::vector<double>& times) {
+  const double until = NumberOr(claim, kUntil, std::numeric_limits<double>::infinity());
+  std::vector<std::vector<PointState>> truth;
+  const auto is_judged = [&](double t) { return t <= until; };
+  if (held.points.size() == 1) {
+    const Swinging swinging = SwingingOf(world, held.points);
+    const Pendulum pendulum(swinging.omega, swinging.start);
+    for (const double t : times | std::views::take_while(is_judged))
+      truth.push_back({At(swinging, pendulum.At(t))});
+    return truth;
+  }
+  std::vector<PointState> state = held.Start();
+  double reached = 0;
+  for (const double t : times | std::views::take_while(is_judged)) {
+    state = held.system.After(state, t - std::exchange(reached, t));
+    truth.push_back(state);
+  }
+  return truth;
+}
+
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
-  const Swinging swinging =
-      SwingingOf(motion.world, PointMassesInOrder(motion.world, claim));
-  const Pendulum pendulum(swinging.omega, swinging.start);
-  return JudgeHeld(motion, swinging.held, std::numeric_limits<double>::infinity(),
-                   [&](std::size_t s) {
-                     return std::vector<PointState>{
-                         At(swinging, pendulum.At(motion.trajectory.times[s]))};
-                   });
+  const HeldByRods held = ChainOf(motion.world, PointMassesInOrder(motion.world, claim));
+  // The samples end early if the motion diverged.
+  const std::vector<double> times(
+      motion.trajectory.times.begin(),
+      motion.trajectory.times.begin() +
+          static_cast<std::ptrdiff_t>(motion.trajectory.samples.size()));
+  return JudgeHeld(motion, held, TruthOf(motion.world, claim, held, times));
 }
 
-Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
-  const Swinging swinging = SwingingOf(world, PointMassesInOrder(world, claim));
-  return At(swinging, Pendulum(swinging.omega, swinging.start).At(t)).p_W;
+std::vector<Eigen::Vector3d> Places(const World& world, const Claim& claim,
+                                    const std::vector<double>& times) {
+  const HeldByRods held = ChainOf(world, PointMassesInOrder(world, claim));
+  const std::string first = PointMassesOf(world, SubjectsOf(world, claim)).front().name;
+  const auto i = static_cast<std::size_t>(
+      std::ranges::find(held.points, first, &PointMass::name) - held.points.begin());
+  std::vector<Eigen::Vector3d> places;
+  for (const std::vector<PointState>& truth : TruthOf(world, claim, held, times))
+    places.push_back(truth[i].p_W);
+  return places;
 }
 
-constexpr std::array<std::string_view, 1> kNumbers = {"expected_period"};
+constexpr std::array<std::string_view, 1> kAliases = {"double_pendulum"};
+constexpr std::array<std::string_view, 2> kNumbers = {"expected_period", kUntil};
 
 }  // namespace
 
+/** A point on a rod to a fixed point swings in a plane, by elliptic functions
+ (truth/pendulum.h). Its period from rest at θ₀ is 4 √(L/g) K(sin² ½θ₀) (IFToMM benchmark
+ A01). Points on a chain of rods have no closed form; their motion is integrated
+ (truth/rods.h) until their chaos amplifies the error of an engine. [m], [m/s]
+
+ A rod that is constrained by velocities loses the power ½ m v⁴ h/L², or becomes longer.
+ An engine in angles has δT/T = −h² g cos θ₀/(24 L). The tolerance is that of
+ law_support/held_by_rods.h.
+
+ About: one body, held at its centre, or one particle, moving in a vertical plane; or
+ several, from the fixed point outwards. Numbers: expected_period, of a swing or of one
+ full turn; until: judged up to then [s]. */
 constinit const Law kPendulum = {
     .name = "pendulum",
-    .documentation = "A mass on one rod to a fixed point swings in a plane.",
+    .aliases = kAliases,
+    .documentation =
+        "A mass on one rod to a fixed point swings in a plane; or several swing on a "
+        "chain of rods, and about names them from the fixed point outwards.",
     .numbers = kNumbers,
     .faults = Faults,
     .judge = Judge,
     .smooth = true,
-    .place = Place,
+    .places = Places,
 };
 
 }  // namespace touchstone

@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/pushed.h"
-
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -13,6 +11,7 @@
 #include "reports/worlds/law_support/scheme_drift.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/every_law.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
@@ -106,6 +105,18 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_speed_gain",
 
 }  // namespace
 
+/** A push J at the point r of a body gives it the momentum J and the angular momentum r ×
+ J about its centre; gravity and its force give Δt (m g + F). [N s], [N m s]
+
+ Judged from the sample before each push to the one after it, relative to the motion's own
+ state before. Tolerance of the momentum: rounding. Tolerance of the angular momentum:
+ what the gyroscopic term may lose between the two samples, h Δt times the rate in
+ law_support/scheme_drift.h, × 1.5; and, if no sample falls on the push, |ω| Δt |r| |J|,
+ since the body has turned by then.
+
+ About: bodies with pushes that nothing else touches or holds between those samples.
+ Numbers: expected_speed_gain |J|/m and expected_spin_gain |I⁻¹ r × J|, of the first push
+ of the first body. */
 constinit const Law kPushed = {
     .name = "pushed",
     .documentation =

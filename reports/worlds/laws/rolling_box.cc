@@ -1,19 +1,16 @@
-#include "reports/worlds/laws/rolling_box.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
-#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/cone_models.h"
-#include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/prediction.h"
 #include "reports/worlds/law_support/round_body.h"
-#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/laws/every_law.h"
 
 namespace touchstone {
 namespace {
@@ -25,9 +22,8 @@ struct Train {
   OnPlane on;
   double mass = 0;   ///< Total mass that presses on the ground. [kg]
   double moved = 0;  ///< Effective mass M + Σ m k/(1 + k). [kg]
-  double
-      /** Least acceleration at which a ball begins to slip: μ_ball g (1 + k)/k. [m/s²] */
-      least_grip;
+  /** Least acceleration at which a ball begins to slip: μ_ball g (1 + k)/k. [m/s²] */
+  double least_grip = 0;
 
   /** Returns the box's acceleration with friction bounded by `cone`. [m/s²] */
   Eigen::Vector3d Acceleration(const World& world, const PlacedCone& cone) const {
@@ -134,53 +130,58 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
   const double g = -world.gravity_W.dot(n_W);
   const double mu = train.on.plane.friction;
   const double pull = (box.force_W.norm() + mu * train.mass * g) / train.moved;
-  const std::string because = WithSlop(
-      "1.5 × ((1 + μ) |v_n| of the bodies' own velocities along the normal, and δ/r of "
-      "the velocity for a contact at depth δ in a ball), 1e-5 of the velocity from the "
-      "force and friction for the solver, and 64 roundings per step",
-      motion.oracle);
-  Worst velocity(MeasureKind::kVelocityError, because);
-  Worst spin(MeasureKind::kSpinError, because);
-  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
-    const double t = motion.trajectory.times[s];
-    const WorldState& state = motion.trajectory.samples[s];
-    const double share =
-        kSolverResidual + RoundingOf(motion.oracle, StepsBefore(motion, s));
-    // The momentum along the normal, as a velocity of the effective mass.
+  const std::vector<int> moving = SubjectsOf(world, {"", {}, {}, ""}).bodies;
+  // The momentum along the normal, as a velocity of the effective mass.
+  const auto across_at = [&](std::size_t s) {
     double across = 0;
-    for (const int i : SubjectsOf(world, {"", {}, {}, ""}).bodies) {
-      across += world.bodies[static_cast<std::size_t>(i)].mass *
-                std::abs(state.bodies[static_cast<std::size_t>(i)].v_WB.dot(n_W));
-    }
-    across *= (1 + mu) / train.moved;
-    const auto hold = [&](int index, double ratio, double inside) {
+    for (const int index : moving) {
       const auto i = static_cast<std::size_t>(index);
-      const Eigen::Vector3d v_W = ratio * a_W * t;
-      AtSample{motion, s, world.bodies[i].name}.Compare(
-          velocity, state.bodies[i].v_WB, v_W,
-          kSafety * (across + inside * a_W.norm() * t) + share * pull * t,
-          "driven against friction it moves at");
-    };
-    double deepest = 0;
-    for (const int index : train.balls) {
-      const auto i = static_cast<std::size_t>(index);
-      const RigidBody& ball = world.bodies[i];
-      const double r = RadiusOf(ball);
-      const double k = InertiaRatioOf(ball);
-      const double inside =
-          std::abs(HeightOn(box, ball, n_W)) +
-          2 * (g * world.dt * world.dt + train.on.Settling(world.dt)) / r;
-      deepest = std::max(deepest, inside);
-      hold(index, k / (1 + k), inside);
-      const Eigen::Vector3d w_W = a_W.cross(n_W) * t / ((1 + k) * r);
-      AtSample{motion, s, ball.name}.Compare(
-          spin, state.bodies[i].w_WB, w_W,
-          kSafety * (across + inside * a_W.norm() * t) / r + share * pull * t / r,
-          "rolling on the box it spins at");
+      const Eigen::Vector3d& v_WB = motion.trajectory.samples[s].bodies[i].v_WB;
+      across += world.bodies[i].mass * std::abs(v_WB.dot(n_W));
     }
-    hold(train.box, 1, deepest);
+    return across * (1 + mu) / train.moved;
+  };
+  const auto velocity_at = [&, across_at](std::size_t s, double ratio, double inside) {
+    const double t = motion.trajectory.times[s];
+    return Predicted{
+        ratio * a_W * t,
+        {.scheme = across_at(s) + inside * a_W.norm() * t, .solved = pull * t}};
+  };
+  double deepest = 0;
+  std::vector<Prediction> predictions;
+  for (const int index : train.balls) {
+    const RigidBody& ball = world.bodies[static_cast<std::size_t>(index)];
+    const double r = RadiusOf(ball);
+    const double k = InertiaRatioOf(ball);
+    const double inside = std::abs(HeightOn(box, ball, n_W)) +
+                          2 * (g * world.dt * world.dt + train.on.Settling(world.dt)) / r;
+    deepest = std::max(deepest, inside);
+    predictions.push_back(
+        {ball.name, StateOfBody(index), [&, r, k, inside, velocity_at](std::size_t s) {
+           PredictedState predicted;
+           predicted.velocity = velocity_at(s, k / (1 + k), inside);
+           const double t = motion.trajectory.times[s];
+           const Allowed& allowed = predicted.velocity->allowed;
+           predicted.spin = {
+               a_W.cross(n_W) * t / ((1 + k) * r),
+               {.scheme = allowed.scheme / r, .solved = allowed.solved / r}};
+           return predicted;
+         }});
   }
-  return {velocity, spin};
+  predictions.push_back(
+      {box.name, StateOfBody(train.box), [velocity_at, deepest](std::size_t s) {
+         return PredictedState{.velocity = velocity_at(s, 1, deepest)};
+       }});
+  const AllowedWords allowed = {
+      .scheme =
+          "((1 + μ) |v_n| of the bodies' own velocities along the normal, and δ/r of "
+          "the velocity for a contact at depth δ in a ball)",
+      .solved = "the velocity from the force and friction",
+      .slop = true};
+  return JudgePredictions(motion,
+                          {.velocity = {allowed, "driven against friction it moves at"},
+                           .spin = {allowed, "rolling on the box it spins at"}},
+                          predictions);
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -197,6 +198,20 @@ constexpr std::array<std::string_view, 3> kNumbers = {
 
 }  // namespace
 
+/** A box is driven by a force over a level plane, with balls that roll on it
+ (SimBenchmark "rolling"). [m/s], [rad/s]
+
+ Balls of mass m and inertia k m r² roll without slip: each resists the box by m a k/(1 +
+ k) and moves at a k/(1 + k), so that
+   a = (F − μ g (M + Σ m))/(M + Σ m k/(1 + k)),  α = a/((1 + k) r)
+ along the force F, zero if friction holds it. Velocities are exact for any step, as on a
+ slope (laws/incline.cc), except for δ/r of them for a contact at depth δ in a ball.
+
+ A solver whose ground friction is a box or a diamond brakes each component on its own, or
+ the larger one first; such a motion is recognised.
+
+ About: the box first, then its balls. Numbers: expected_box_acceleration,
+ expected_ball_acceleration, expected_ball_spin_rate. */
 constinit const Law kRollingBox = {
     .name = "rolling_box",
     .documentation =

@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/rolls.h"
-
 #include <array>
 #include <string_view>
 
@@ -9,6 +7,7 @@
 #include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/every_law.h"
 
 namespace touchstone {
 namespace {
@@ -46,34 +45,36 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 }
 
 std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
-  const World& world = motion.world;
-  const double h = world.dt;
-  const auto i = static_cast<std::size_t>(index);
-  const RigidBody& body = world.bodies[i];
+  const RigidBody& body = motion.world.bodies[static_cast<std::size_t>(index)];
   const OnPlane on = OnPlaneOf(motion, index);
   const Eigen::Vector3d& n_W = on.plane.n_W;
   const double r = RadiusOf(body);
-  const double k = InertiaRatioOf(body);
-  const Eigen::Vector3d a_W = on.along_W / (1 + k);
+  const Eigen::Vector3d a_W = on.along_W / (1 + InertiaRatioOf(body));
   const double pull = on.along_W.norm() + on.plane.friction * on.press;
-  BallOnPlane ball(motion, index, on, "rolling",
-                   "1.5 × ((1 + μ) |v_n| of the body's own velocity along the normal, "
-                   "and δ/r of the velocity for a contact at depth δ), 1e-5 of the "
-                   "velocity for the solver, and 64 roundings per step",
-                   "1.5 × (½ a h t and the settling distance), 1e-5 of the distance for "
-                   "the solver, and 64 roundings per step");
-  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
-    const double t = motion.trajectory.times[s];
+  const auto truth_at = [&](double t) {
     BodyState truth;
     truth.v_WB = on.v_along_W + a_W * t;
     truth.w_WB = body.w_WB.dot(n_W) * n_W + n_W.cross(truth.v_WB) / r;
     truth.p_WB = body.placed.X_WB.p_WB + on.v_along_W * t + a_W * (t * t / 2);
-    const double speed = on.v_along_W.norm() + pull * t + r * body.w_WB.norm();
-    ball.Take(
-        s, truth,
-        {speed, truth.v_WB.norm() + r * truth.w_WB.norm(), 0, a_W.norm() * h * t / 2});
-  }
-  return FindingsOf(ball.Findings());
+    return truth;
+  };
+  const auto errors_at = [&](double t) {
+    const BodyState truth = truth_at(t);
+    return BallErrors{on.v_along_W.norm() + pull * t + r * body.w_WB.norm(),
+                      truth.v_WB.norm() + r * truth.w_WB.norm(), 0,
+                      a_W.norm() * motion.world.dt * t / 2};
+  };
+  const BallWords words = {
+      .how = "rolling",
+      .velocity = {.scheme =
+                       "((1 + μ) |v_n| of the body's own velocity along the normal, "
+                       "and δ/r of the velocity for a contact at depth δ)",
+                   .solved = "the velocity",
+                   .slop = true},
+      .position = {.scheme = "(½ a h t and the settling distance)",
+                   .solved = "the distance",
+                   .slop = true}};
+  return FindingsOf(JudgeBall(motion, index, on, words, {truth_at, errors_at}));
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -85,6 +86,18 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
 
 }  // namespace
 
+/** A sphere, or a capsule or cylinder on its side, that rolls on a static plane keeps
+ rolling. Its acceleration along the plane
+ is a = a_t/(1 + k), where a_t is the part of gravity and force along the plane and k m r²
+ the inertia. So v = v₀ + a t and ω = n × v/r, and the spin about the normal is constant.
+ [m/s], [rad/s], [m]
+
+ Friction supplies k/(1 + k) |a_t|, at most μ a_n. The tolerances are those of a slope
+ (laws/incline.h).
+
+ About: spheres, and capsules and cylinders that move across their axis, that start
+ rolling, to 1e-9 of their speed. Numbers:
+ expected_acceleration. */
 constinit const Law kRolls = {
     .name = "rolls",
     .documentation =

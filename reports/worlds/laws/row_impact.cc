@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/row_impact.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/prediction.h"
 #include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/every_law.h"
 #include "reports/worlds/truth/row_of_balls.h"
 
 namespace touchstone {
@@ -210,38 +208,34 @@ std::string_view InWords(RowRule rule) {
 std::vector<Worst> JudgeBy(RowRule rule, double gap, const Motion& motion,
                            const Row& row) {
   const RowOfBalls truth = row.By(rule, gap);
-  const std::string place = fmt::format("{} it is at", InWords(rule));
-  const std::string speed = fmt::format("{} it moves at", InWords(rule));
-  const World& world = motion.world;
-  const double h = world.dt;
-  Worst velocity(MeasureKind::kVelocityError,
-                 "1e-5 of the fastest ball for the solver, and 64 roundings per step");
-  Worst position(MeasureKind::kPositionError,
-                 "1.5 × n h Σ |Δv| for n impacts, each a step late; 1e-5 of the distance "
-                 "for the solver, and 64 roundings per step");
+  const double h = motion.world.dt;
   const Strikes strikes(truth, h);
-  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
-    const double t = motion.trajectory.times[s];
-    const std::vector<RowBall> balls = truth.At(t);
-    const RowOfBalls::Past past = truth.PastAt(t + h);
-    const double share =
-        kSolverResidual + RoundingOf(motion.oracle, StepsBefore(motion, s));
-    for (std::size_t i = 0; i < row.bodies.size(); ++i) {
-      const auto index = static_cast<std::size_t>(row.bodies[i]);
-      const BodyState& is = motion.trajectory.samples[s].bodies[index];
-      const AtSample at{motion, s, world.bodies[index].name};
-      const Eigen::Vector3d p_W = row.p_W + balls[i].x * row.d_W;
-      at.Compare(position, is.p_WB, p_W,
-                 kSafety * past.moments * h * past.change + share * row.speed * t +
-                     RoundingOf(motion.oracle, StepsBefore(motion, s)) *
-                         (row.p_W.norm() + std::abs(balls[i].x)),
-                 place);
-      if (strikes.May(i, t)) continue;
-      const Eigen::Vector3d v_W = balls[i].v * row.d_W;
-      at.Compare(velocity, is.v_WB, v_W, share * row.speed, speed);
-    }
+  std::vector<Prediction> predictions;
+  for (std::size_t i = 0; i < row.bodies.size(); ++i) {
+    const RigidBody& body = motion.world.bodies[static_cast<std::size_t>(row.bodies[i])];
+    predictions.push_back(
+        {body.name, StateOfBody(row.bodies[i]), [&, i](std::size_t s) {
+           const double t = motion.trajectory.times[s];
+           const RowBall ball = truth.At(t)[i];
+           const RowOfBalls::Past past = truth.PastAt(t + h);
+           PredictedState predicted;
+           predicted.position = {row.p_W + ball.x * row.d_W,
+                                 {.scheme = past.moments * h * past.change,
+                                  .solved = row.speed * t,
+                                  .computed = row.p_W.norm() + std::abs(ball.x)}};
+           if (!strikes.May(i, t))
+             predicted.velocity = {ball.v * row.d_W, {.solved = row.speed}};
+           return predicted;
+         }});
   }
-  return {velocity, position};
+  return JudgePredictions(
+      motion,
+      {.position = {{.scheme = "n h Σ |Δv| for n impacts, each a step late",
+                     .solved = "the distance"},
+                    fmt::format("{} it is at", InWords(rule))},
+       .velocity = {{.solved = "the fastest ball"},
+                    fmt::format("{} it moves at", InWords(rule))}},
+      predictions);
 }
 
 /** Returns the worst number over its tolerance, of all measures. [-] */
@@ -281,6 +275,23 @@ constexpr std::array<std::string_view, 4> kNumbers = {
 
 }  // namespace
 
+/** Spheres on a line hit each other along it; each pair leaves an impact with e times its
+ closing speed (truth/row_of_balls.h). [m/s], [m]
+
+ If several balls touch, sequential and simultaneous impacts are both legal. The first is
+ the law's own truth; the other is recognised as "simultaneous impacts". Either is
+ recognised too if gaps are shorter than the distance covered in a step, V h. Sequential
+ impacts may have any order: they are tried from the first ball and from the last.
+
+ Velocities are exact to the solver's residual, 1e-5 of the fastest, except around each
+ ball's impacts: the n-th of a row is up to n h late, or more if slower balls have to make
+ up for that. Positions are off by n h times the total velocity change by impacts, Σ |Δv|,
+ × 1.5. 64 roundings per step are added.
+
+ About: spheres in the order of the line, without gravity, force or spin. Numbers:
+ expected_first_velocity and expected_last_velocity, along the line from the first to the
+ last, after the last impact, for sequential impacts; expected_simultaneous_first_velocity
+ and expected_simultaneous_last_velocity. */
 constinit const Law kRowImpact = {
     .name = "row_impact",
     .documentation =

@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/slip_to_roll.h"
-
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -10,6 +8,7 @@
 #include "reports/worlds/law_support/on_plane.h"
 #include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/laws/every_law.h"
 
 namespace touchstone {
 namespace {
@@ -84,28 +83,30 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   const OnPlane on = OnPlaneOf(motion, index);
   // The largest terms of a velocity: the initial speed and that of the sphere's surface.
   const double speed = on.v_along_W.norm() + slipping.w_W.norm() * slipping.radius;
-  BallOnPlane ball(
-      motion, index, on, "slipping until it rolls",
-      "1.5 × ((1 + μ) |v_n| of the sphere's own velocity along the normal, δ/r of the "
-      "velocity for a contact at depth δ, and μ g h in the step in which slip ends), "
-      "1e-5 of the velocity for the solver, and 64 roundings per step",
-      "1.5 × (½ h (v₀ − v) and the settling distance), 1e-5 of the distance for the "
-      "solver, and 64 roundings per step");
-  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
-    const double t = motion.trajectory.times[s];
-    const BodyState truth = slipping.At(t, cone);
-    const BodyState earlier = slipping.At(std::max(0.0, t - h), cone);
-    const BodyState later = slipping.At(t + h, cone);
+  const auto errors_at = [&](double t) {
+    const Eigen::Vector3d v_W = slipping.At(t, cone).v_WB;
+    const Eigen::Vector3d earlier_W = slipping.At(std::max(0.0, t - h), cone).v_WB;
+    const Eigen::Vector3d later_W = slipping.At(t + h, cone).v_WB;
     // The change of velocity in the step before equals that in the step after, except
     // where slip ends.
-    const double ending =
-        (later.v_WB - 2 * truth.v_WB + earlier.v_WB).norm() * (t < h ? 0 : 1);
-    const double slowed = (on.v_along_W - truth.v_WB).norm();
-    ball.Take(
-        s, truth,
-        {speed, speed, ending, slowed * h / 2 + on.plane.friction * on.press * h * h});
-  }
-  return ball.Findings();
+    const double ending = t < h ? 0 : (later_W - 2 * v_W + earlier_W).norm();
+    const double slowed = (on.v_along_W - v_W).norm();
+    return BallErrors{speed, speed, ending,
+                      slowed * h / 2 + on.plane.friction * on.press * h * h};
+  };
+  const BallWords words = {
+      .how = "slipping until it rolls",
+      .velocity =
+          {.scheme = "((1 + μ) |v_n| of the sphere's own velocity along the normal, δ/r "
+                     "of the velocity for a contact at depth δ, and μ g h in the step "
+                     "in which slip ends)",
+           .solved = "the velocity",
+           .slop = true},
+      .position = {.scheme = "(½ h (v₀ − v) and the settling distance)",
+                   .solved = "the distance",
+                   .slop = true}};
+  return JudgeBall(motion, index, on, words,
+                   {[&](double t) { return slipping.At(t, cone); }, errors_at});
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -117,6 +118,20 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_rolling_speed",
 
 }  // namespace
 
+/** A sphere that slips on a level plane is braked and spun by friction until it rolls.
+ [m], [m/s], [rad/s]
+
+ With inertia k m r², the slip s = v + ω × (−r n) decreases along its own direction at μ g
+ (1 + 1/k), to zero at t_r = |s₀|/(μ g (1 + 1/k)); then it rolls. At all times v = v₀ + (s
+ − s₀)/(1 + 1/k), since the angular momentum about the contact is conserved: the velocity
+ of rolling does not depend on μ.
+
+ The velocity is exact to the solver's residual, as on a slope (laws/incline.h); in the
+ step in which slip ends, to μ g h. Position: ½ h (v₀ − v) and the settling distance, ×
+ 1.5. 64 roundings per step are added. Solvers with two friction directions end the slip
+ along another path with the same rolling velocity; such motions are recognised.
+
+ About: spheres. Numbers: expected_rolling_speed, expected_rolling_time (t_r). */
 constinit const Law kSlipToRoll = {
     .name = "slip_to_roll",
     .documentation =

@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/stack_support.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/every_law.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
@@ -101,6 +100,17 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_weight"};
 
 }  // namespace
 
+/** In a stack at rest each level carries everything above it: the contacts between level
+ k − 1 and level k exert Σ_{i >= k} m_i g against gravity. [N]
+
+ The force is the mean over the second half of the motion, of duration T. Momentum
+ balances whatever the solver does. So the mean is off by the momentum that the levels
+ from k on gain in T, over T, × 1.5. At rest that is at most the contacts' 2 g h per level
+ (laws/rests.h), at both ends of T. 64 roundings per step are added.
+
+ Judges only engines that report contact impulses. About: bodies from the lowest to the
+ highest, each on its predecessor, the first on something static. Numbers: expected_weight
+ of all [N]. */
 constinit const Law kStackSupport = {
     .name = "stack_support",
     .documentation =

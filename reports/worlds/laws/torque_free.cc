@@ -1,5 +1,3 @@
-#include "reports/worlds/laws/torque_free.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,27 +5,18 @@
 
 #include "reports/text/told_apart.h"
 #include "reports/worlds/law_support/citing.h"
+#include "reports/worlds/law_support/envelope.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/prediction.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/every_law.h"
 #include "reports/worlds/truth/gyroscopic_schemes.h"
 #include "reports/worlds/truth/mechanics.h"
 #include "reports/worlds/truth/torque_free_rotation.h"
 
 namespace touchstone {
 namespace {
-
-/** The difference between two rotations. */
-struct Apart {
-  double angle = 0;  ///< [rad]
-  double spin = 0;   ///< [rad/s]
-
-  void TakeLarger(const Apart& other) {
-    angle = std::max(angle, other.angle);
-    spin = std::max(spin, other.spin);
-  }
-};
 
 Apart Between(const Rotation& a, const Rotation& b) {
   return {a.q_WB.normalized().angularDistance(b.q_WB), (a.w_WB - b.w_WB).norm()};
@@ -43,42 +32,34 @@ TorqueFreeRotation TruthOf(const World& world, int index) {
           StartOf(world, index)};
 }
 
-/** Returns the largest error of any first-order scheme up to each sample. */
-std::vector<Apart> SchemeErrors(const Motion& motion, int index,
-                                const std::vector<Rotation>& truth) {
+/** Returns the largest error so far of any first-order scheme. */
+Envelope SchemeErrors(const Motion& motion, int index,
+                      const std::vector<Rotation>& truth) {
   const World& world = motion.world;
-  std::vector<Apart> errors(truth.size());
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  Envelope errors(motion);
   for (const GyroscopicScheme scheme : kGyroscopicSchemes) {
-    SteppedRotation stepped(scheme,
-                            InertiaOf(world.bodies[static_cast<std::size_t>(index)]),
-                            StartOf(world, index), world.dt);
-    int done = 0;
-    for (std::size_t s = 0; s < truth.size(); ++s) {
-      const int steps = static_cast<int>(StepsBefore(motion, s));
-      for (; done < steps; ++done) stepped.Step();
-      errors[s].TakeLarger(Between(stepped.state(), truth[s]));
-    }
+    SteppedRotation stepped(scheme, InertiaOf(body), StartOf(world, index), world.dt);
+    errors.Include([&] { stepped.Step(); },
+                   [&](std::size_t s) { return Between(stepped.state(), truth[s]); });
   }
-  for (std::size_t s = 1; s < errors.size(); ++s) errors[s].TakeLarger(errors[s - 1]);
   return errors;
 }
 
 /** Returns how far the truth moves if its spin is rounded as often as the motion is. */
-std::vector<Apart> RoundingErrors(const Motion& motion, int index,
-                                  const std::vector<Rotation>& truth) {
+Envelope RoundingErrors(const Motion& motion, int index,
+                        const std::vector<Rotation>& truth) {
   const World& world = motion.world;
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   const double share = RoundingOf(motion.oracle, StepsBefore(motion, truth.size() - 1));
-  std::vector<Apart> errors(truth.size());
+  Envelope errors(motion);
   for (int axis = 0; axis < 3; ++axis) {
     Rotation start = StartOf(world, index);
     start.w_WB += share * start.w_WB.norm() * Eigen::Vector3d::Unit(axis);
-    const TorqueFreeRotation rounded(
-        InertiaOf(world.bodies[static_cast<std::size_t>(index)]), start);
-    const std::vector<Rotation> at = rounded.At(motion.trajectory.times);
-    for (std::size_t s = 0; s < truth.size(); ++s)
-      errors[s].TakeLarger(Between(at[s], truth[s]));
+    const std::vector<Rotation> rounded =
+        TorqueFreeRotation(InertiaOf(body), start).At(motion.trajectory.times);
+    errors.Include([] {}, [&](std::size_t s) { return Between(rounded[s], truth[s]); });
   }
-  for (std::size_t s = 1; s < errors.size(); ++s) errors[s].TakeLarger(errors[s - 1]);
   return errors;
 }
 
@@ -114,24 +95,29 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   for (const int i : SubjectsOf(world, claim).bodies) {
     const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
     const std::vector<Rotation> truth = TruthOf(world, i).At(trajectory.times);
-    const std::vector<Apart> schemes = SchemeErrors(motion, i, truth);
-    const std::vector<Apart> rounding = RoundingErrors(motion, i, truth);
+    const Envelope schemes = SchemeErrors(motion, i, truth);
+    const Envelope rounding = RoundingErrors(motion, i, truth);
     // The start is that of the world, whatever the law.
-    for (std::size_t s = 1; s < truth.size(); ++s) {
+    for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
       const BodyState& is = trajectory.samples[s].bodies[static_cast<std::size_t>(i)];
       const Apart apart = Between({is.q_WB, is.w_WB}, truth[s]);
-      const double own = RoundingOf(motion.oracle, StepsBefore(motion, s));
-      orientation.Take(apart.angle, kSafety * schemes[s].angle + rounding[s].angle + own,
-                       [&] {
-                         return Citing(
-                             "{} has {} rotated {:.9g} rad from the orientation by "
-                             "Euler's equations after {:.6g} s",
-                             motion.oracle.name, CitedName{name}, apart.angle,
-                             CitedTime{trajectory.times[s]});
-                       });
+      const auto tolerance = [&](double scheme, double size, double amplified) {
+        return ToleranceOf({.scheme = scheme, .computed = size}, motion.oracle,
+                           StepsBefore(motion, s)) +
+               amplified;
+      };
+      orientation.Take(
+          apart.place, tolerance(schemes.At(s).place, 1, rounding.At(s).place), [&] {
+            return Citing(
+                "{} has {} rotated {:.9g} rad from the orientation by Euler's equations "
+                "after {:.6g} s",
+                motion.oracle.name, CitedName{name}, apart.place,
+                CitedTime{trajectory.times[s]});
+          });
       spin.Take(
-          apart.spin,
-          kSafety * schemes[s].spin + rounding[s].spin + own * truth[s].w_WB.norm(), [&] {
+          apart.speed,
+          tolerance(schemes.At(s).speed, truth[s].w_WB.norm(), rounding.At(s).speed),
+          [&] {
             const ToldApart told = TellApart(is.w_WB, truth[s].w_WB, 9);
             return Citing(
                 "{} has {} spinning at {} rad/s after {:.6g} s; Euler's equations say {}",
@@ -148,6 +134,18 @@ constexpr std::array<std::string_view, 3> kNumbers = {
 
 }  // namespace
 
+/** A body without torque rotates by Euler's equations, I ω̇ = (I ω) × ω, solved by
+ Jacobi's elliptic functions (truth/torque_free_rotation.h). [rad], [rad/s]
+
+ The error of a first-order scheme is computed, not estimated, since a spin near the
+ middle axis amplifies any error. The body is stepped by each of the schemes that engines
+ use (truth/gyroscopic_schemes.h), and the tolerance is the largest error of any of them
+ so far, × 1.5. Rounding is amplified in the same way. Its tolerance is the change of the
+ exact rotation if the initial spin changes by 64 roundings per step along each axis.
+
+ About: bodies that no spring, joint, contact or push rotates; any inertia. Measures:
+ orientation, spin. Numbers: expected_rotational_energy, expected_angular_momentum,
+ expected_period (of ω in the body frame). */
 constinit const Law kTorqueFree = {
     .name = "torque_free",
     .documentation =

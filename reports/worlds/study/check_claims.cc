@@ -103,7 +103,11 @@ std::vector<ClaimName> ClaimNames() {
       {kStable,
        "The motion amplifies a change of its start at most gain times, a number of the "
        "claim."}};
-  for (const Law& law : Laws()) claims.push_back({law.name, law.documentation});
+  for (const Law& law : Laws()) {
+    claims.push_back({law.name, law.documentation});
+    for (const std::string_view alias : law.aliases)
+      claims.push_back({alias, law.documentation});
+  }
   std::sort(claims.begin(), claims.end(),
             [](const ClaimName& a, const ClaimName& b) { return a.name < b.name; });
   return claims;

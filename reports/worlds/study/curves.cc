@@ -84,7 +84,7 @@ const Trajectory* FirstMotion(const WorldResult& world) {
 Claim ClaimWithPlace(const WorldScenario& scenario) {
   for (const Claim& claim : scenario.claims) {
     const Law* law = FindLaw(claim.law);
-    if (law && law->place && law->faults(scenario.world, claim).empty()) return claim;
+    if (law && law->places && law->faults(scenario.world, claim).empty()) return claim;
   }
   return scenario.claims.empty() ? Claim{} : scenario.claims.front();
 }
@@ -112,13 +112,14 @@ CurveSet PlaceOf(const WorldResult& world, const Trajectory& motion) {
       CurvesOfAll(world, [&](const WorldState& s) { return watched.place(s)[axis]; }),
       std::nullopt};
   const Law* law = FindLaw(claim.law);
-  if (!law || !law->place) return set;
+  if (!law || !law->places) return set;
   Curve truth;
   truth.times.assign(
       motion.times.begin(),
       motion.times.begin() + static_cast<std::ptrdiff_t>(motion.samples.size()));
-  for (const double t : truth.times)
-    truth.values.push_back(law->place(scenario.world, claim, t)[axis]);
+  for (const Eigen::Vector3d& place : law->places(scenario.world, claim, truth.times))
+    truth.values.push_back(place[axis]);
+  truth.times.resize(truth.values.size());
   set.truth = truth;
   return set;
 }
@@ -131,7 +132,7 @@ std::optional<CurveSet> ErrorOfPlace(const WorldResult& world) {
   const Claim claim = ClaimWithPlace(scenario);
   const Watched watched = WatchedOf(scenario.world, claim);
   const Law* law = FindLaw(claim.law);
-  if (!watched.place || !law || !law->place) return std::nullopt;
+  if (!watched.place || !law || !law->places) return std::nullopt;
   CurveSet set{fmt::format("position error of {}", watched.name), "m",
                MeasureKind::kPositionError,
                CurvesOfAll(world, [](const WorldState&) { return 0.0; }), std::nullopt};
@@ -143,17 +144,19 @@ std::optional<CurveSet> ErrorOfPlace(const WorldResult& world) {
     if (curve.times.size() > times.size() ||
         !std::equal(curve.times.begin(), curve.times.end(), times.begin())) {
       times = curve.times;
-      truths.clear();
-      truths.reserve(times.size());
-      for (const double t : times)
-        truths.emplace_back(law->place(scenario.world, claim, t));
+      truths = law->places(scenario.world, claim, times);
     }
-    for (std::size_t s = 0; s < curve.values.size(); ++s) {
+    // A law may predict less than the whole motion.
+    const std::size_t predicted = std::min(curve.values.size(), truths.size());
+    curve.times.resize(predicted);
+    curve.values.resize(predicted);
+    for (std::size_t s = 0; s < predicted; ++s) {
       curve.values[s] =
           (watched.place(world.trajectories[o].samples[s]) - truths[s]).norm();
     }
   }
-  set.truth = Curve{{times.front(), times.back()}, {0, 0}};
+  if (truths.empty()) return std::nullopt;
+  set.truth = Curve{{times.front(), times[truths.size() - 1]}, {0, 0}};
   return set;
 }
 

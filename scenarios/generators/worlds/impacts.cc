@@ -164,7 +164,7 @@ WorldScenario SphereOnPlane(WorldDraw& draw) {
   // The law wants three steps of flight after the impact, which last 2 e v_n / g at
   // least; here it is six. Without gravity the sphere never comes back.
   if (2 * restitution * v_n < 6 * draw.dt * kGravity) scenario.world.gravity_W.setZero();
-  AddClaim(scenario, "oblique_impact", {"ball"}, "it flies against the ground");
+  AddClaim(scenario, "sphere_impact", {"ball"}, "it flies against the ground");
   ClaimEnergy(scenario, {"ball"});
   return scenario;
 }

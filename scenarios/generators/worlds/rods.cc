@@ -101,7 +101,7 @@ WorldScenario DoublePendulum(WorldDraw& draw) {
   // A light mass between two taut rods snaps through faster than most steps can follow,
   // and two motions that have lost the phase then differ by any amount.
   if (!heavy_below || ratio <= 10) {
-    AddClaim(scenario, "double_pendulum", {"upper", "lower"},
+    AddClaim(scenario, "pendulum", {"upper", "lower"},
              "rods hold the masses at their centres");
   }
   AddClaim(scenario, "joint_length", {"upper", "lower"}, "a rod keeps its length");

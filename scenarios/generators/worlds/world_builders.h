@@ -13,7 +13,7 @@ WorldScenario TumblingDrop(WorldDraw& draw);
 
 /** Two spheres hit each other: sphere_impact. */
 WorldScenario SpherePair(WorldDraw& draw);
-/** A sphere hits the ground at an angle: oblique_impact. */
+/** A sphere hits the ground at an angle: sphere_impact. */
 WorldScenario SphereOnPlane(WorldDraw& draw);
 /** A corner, or with friction an edge, of a box hits the ground: corner_impact. */
 WorldScenario BoxOnPlane(WorldDraw& draw);
@@ -29,7 +29,7 @@ WorldScenario RollingSphere(WorldDraw& draw);
 
 /** A body or a particle on a rod: pendulum, joint_length. */
 WorldScenario Pendulum(WorldDraw& draw);
-/** Two masses on two rods: joint_length; double_pendulum unless the lower one is more
+/** Two masses on two rods: joint_length; pendulum unless the lower one is more
  than ten times as heavy. */
 WorldScenario DoublePendulum(WorldDraw& draw);
 /** One or two bars that hang by rods at their ends: joint_length, conserves_energy. */

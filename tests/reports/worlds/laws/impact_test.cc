@@ -395,7 +395,7 @@ World Oblique(double e, double mu, double incidence, double dt = 1e-3,
   return world;
 }
 
-TEST(ObliqueImpact, KnowsThePublishedTable) {
+TEST(SphereImpactOnAPlane, KnowsThePublishedTable) {
   struct Row {
     double e, mu, incidence, v_x, v_z, w, ratio;
   };
@@ -404,7 +404,7 @@ TEST(ObliqueImpact, KnowsThePublishedTable) {
                          Row{.8, .2, 60, 3.430127, 2.000000, 4.500000, 0.711631},
                          Row{.8, .3, 30, 1.785714, 3.464102, 3.571429, 0.658571}}) {
     const World world = Oblique(row.e, row.mu, row.incidence);
-    EXPECT_TRUE(FaultsOf(world, ClaimOf("oblique_impact", {},
+    EXPECT_TRUE(FaultsOf(world, ClaimOf("sphere_impact", {},
                                         {{"expected_tangential_speed", row.v_x},
                                          {"expected_normal_speed", row.v_z},
                                          {"expected_spin", row.w},
@@ -413,7 +413,7 @@ TEST(ObliqueImpact, KnowsThePublishedTable) {
   }
 }
 
-TEST(ObliqueImpact, AMotionByTheRulePasses) {
+TEST(SphereImpactOnAPlane, AMotionByTheRulePasses) {
   for (const double dt : {1.0 / 60, 1.0 / 240, 1e-3}) {
     for (const double gravity : {0.0, 9.82}) {
       for (const double inset : {0.0, 0.5, 1.0}) {
@@ -422,7 +422,7 @@ TEST(ObliqueImpact, AMotionByTheRulePasses) {
           Impacts impacts;
           impacts.inset = inset;
           EXPECT_TRUE(
-              Passes(Judge(world, Struck(world, impacts), ClaimOf("oblique_impact"))))
+              Passes(Judge(world, Struck(world, impacts), ClaimOf("sphere_impact"))))
               << dt << " " << gravity << " " << inset << " " << mu;
         }
       }
@@ -430,39 +430,39 @@ TEST(ObliqueImpact, AMotionByTheRulePasses) {
   }
 }
 
-TEST(ObliqueImpact, RecognisesTheOtherCones) {
+TEST(SphereImpactOnAPlane, RecognisesTheOtherCones) {
   const World world = Oblique(0.8, 0.2, 60);
   for (const FrictionCone cone : {FrictionCone::kBox, FrictionCone::kDiamond}) {
     Impacts impacts;
     impacts.cone = cone;
-    EXPECT_EQ(Of(Judge(world, Struck(world, impacts), ClaimOf("oblique_impact")),
+    EXPECT_EQ(Of(Judge(world, Struck(world, impacts), ClaimOf("sphere_impact")),
                  MeasureKind::kVelocityError)
                   .recognised,
               NameOf(cone));
   }
 }
 
-TEST(ObliqueImpact, FindsWrongFrictionAndRestitution) {
+TEST(SphereImpactOnAPlane, FindsWrongFrictionAndRestitution) {
   const World world = Oblique(0.8, 0.2, 60);
   Impacts impacts;
   impacts.friction = 0.97;
-  EXPECT_TRUE(Finds(Judge(world, Struck(world, impacts), ClaimOf("oblique_impact")),
+  EXPECT_TRUE(Finds(Judge(world, Struck(world, impacts), ClaimOf("sphere_impact")),
                     MeasureKind::kSpinError));
   impacts = {};
   impacts.restitution = 0.99;
-  EXPECT_TRUE(Finds(Judge(world, Struck(world, impacts), ClaimOf("oblique_impact")),
+  EXPECT_TRUE(Finds(Judge(world, Struck(world, impacts), ClaimOf("sphere_impact")),
                     MeasureKind::kRestitution));
 }
 
-TEST(ObliqueImpact, RefusesASphereThatNeverArrives) {
+TEST(SphereImpactOnAPlane, RefusesASphereThatNeverArrives) {
   World world = Oblique(0.8, 0.2, 60);
   world.bodies[0].v_WB *= -1;
-  EXPECT_EQ(FaultsOf(world, ClaimOf("oblique_impact")).size(), 1U);
+  EXPECT_EQ(FaultsOf(world, ClaimOf("sphere_impact")).size(), 1U);
   world = Oblique(0.8, 0.2, 60);
   world.steps = 10;
-  EXPECT_EQ(FaultsOf(world, ClaimOf("oblique_impact")).size(), 1U);
+  EXPECT_EQ(FaultsOf(world, ClaimOf("sphere_impact")).size(), 1U);
   world = Oblique(0, 0.2, 60, 1e-3, 9.8);
-  EXPECT_EQ(FaultsOf(world, ClaimOf("oblique_impact")).size(), 1U);
+  EXPECT_EQ(FaultsOf(world, ClaimOf("sphere_impact")).size(), 1U);
 }
 
 World TwoSpheres(double dt = 1e-3) {
@@ -660,9 +660,9 @@ TEST(TurnsOnce, row_impact) {
   EXPECT_TRUE(TurnsOnce(world, Struck(world, {}), ClaimOf("row_impact")));
 }
 
-TEST(TurnsOnce, oblique_impact) {
+TEST(TurnsOnce, sphere_impact_on_a_plane) {
   const World world = Oblique(0.8, 0.1, 50);
-  EXPECT_TRUE(TurnsOnce(world, Struck(world, {}), ClaimOf("oblique_impact")));
+  EXPECT_TRUE(TurnsOnce(world, Struck(world, {}), ClaimOf("sphere_impact")));
 }
 
 TEST(TurnsOnce, sphere_impact) {

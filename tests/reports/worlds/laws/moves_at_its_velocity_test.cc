@@ -1,4 +1,4 @@
-#include "reports/worlds/laws/moves_at_its_velocity.h"
+#include "reports/worlds/laws/every_law.h"
 
 #include <numbers>
 #include <string>

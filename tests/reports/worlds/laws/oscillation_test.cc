@@ -303,9 +303,9 @@ TEST(Pendulum, TheLawRefusesOtherMotions) {
   EXPECT_EQ(FaultsOf(Hung(2), ClaimOf("pendulum")).size(), 1U);
 }
 
-TEST(DoublePendulum, TheTruthAndFirstOrderSchemesPass) {
+TEST(PendulumOfTwo, TheTruthAndFirstOrderSchemesPass) {
   const World world = Hung(2);
-  const Claim claim = ClaimOf("double_pendulum", {"mass0", "mass1"});
+  const Claim claim = ClaimOf("pendulum", {"mass0", "mass1"});
   EXPECT_TRUE(Passes(Judge(world, Exactly(world), claim)));
   for (const RodScheme scheme : kRodSchemes)
     EXPECT_TRUE(Passes(Judge(world, Swung(world, scheme), claim)));
@@ -347,20 +347,20 @@ World ThrownUp() {
   return world;
 }
 
-TEST(DoublePendulum, AnEngineThatKeepsLengthsByMeanVelocitiesPasses) {
+TEST(PendulumOfTwo, AnEngineThatKeepsLengthsByMeanVelocitiesPasses) {
   const World world = ThrownUp();
   const RodSystem system = SystemOf(world);
   const Trajectory motion = Stepped(world, [&](WorldState& state) {
     StepByMeanVelocities(system, world.dt, state.particles);
   });
-  const Claim claim = ClaimOf("double_pendulum", {"mass0", "mass1"}, {{"until", 0.5}});
+  const Claim claim = ClaimOf("pendulum", {"mass0", "mass1"}, {{"until", 0.5}});
   EXPECT_TRUE(Passes(Judge(world, motion, claim)));
 }
 
 // Such an engine is off by 2e-4 m/s there.
-TEST(DoublePendulum, FindsAVelocityThatIsOffByAMillimetreASecondNearFreeFall) {
+TEST(PendulumOfTwo, FindsAVelocityThatIsOffByAMillimetreASecondNearFreeFall) {
   const World world = ThrownUp();
-  const Claim claim = ClaimOf("double_pendulum", {"mass0", "mass1"}, {{"until", 0.05}});
+  const Claim claim = ClaimOf("pendulum", {"mass0", "mass1"}, {{"until", 0.05}});
   Trajectory motion = Exactly(world);
   EXPECT_TRUE(Passes(Judge(world, motion, claim)));
   for (std::size_t s = 1; s < motion.samples.size(); ++s)
@@ -368,16 +368,16 @@ TEST(DoublePendulum, FindsAVelocityThatIsOffByAMillimetreASecondNearFreeFall) {
   EXPECT_TRUE(Finds(Judge(world, motion, claim), MeasureKind::kVelocityError));
 }
 
-TEST(DoublePendulum, FindsAnotherMassAndTakesPointsInOrder) {
+TEST(PendulumOfTwo, FindsAnotherMassAndTakesPointsInOrder) {
   const World world = Hung(2);
-  const Claim claim = ClaimOf("double_pendulum", {"mass0", "mass1"}, {{"until", 1.5}});
+  const Claim claim = ClaimOf("pendulum", {"mass0", "mass1"}, {{"until", 1.5}});
   RodSystem heavy = SystemOf(world);
   heavy.mass[1] = 1.2;
   const Trajectory moved = Stepped(world, [&](WorldState& state) {
     StepRods(RodScheme::kBaumgarte, heavy, world.dt, state.particles);
   });
   EXPECT_TRUE(Finds(Judge(world, moved, claim), MeasureKind::kPositionError));
-  EXPECT_EQ(FaultsOf(world, ClaimOf("double_pendulum", {"mass1", "mass0"})).size(), 1U);
+  EXPECT_EQ(FaultsOf(world, ClaimOf("pendulum", {"mass1", "mass0"})).size(), 1U);
 }
 
 TEST(JointLength, FirstOrderSchemesPass) {
@@ -453,10 +453,10 @@ TEST(TurnsOnce, pendulum) {
   EXPECT_TRUE(TurnsOnce(world, Exactly(world), ClaimOf("pendulum")));
 }
 
-TEST(TurnsOnce, double_pendulum) {
+TEST(TurnsOnce, pendulum_of_two) {
   const World world = Hung(2);
   EXPECT_TRUE(
-      TurnsOnce(world, Exactly(world), ClaimOf("double_pendulum", {"mass0", "mass1"})));
+      TurnsOnce(world, Exactly(world), ClaimOf("pendulum", {"mass0", "mass1"})));
 }
 
 TEST(TurnsOnce, joint_length) {

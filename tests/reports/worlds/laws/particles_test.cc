@@ -46,7 +46,7 @@ Trajectory Flown(const World& world, const FlightScheme& scheme, double damping)
   });
 }
 
-TEST(ParticleFlight, TheTruthAndEverySchemePass) {
+TEST(BallisticOfDampedParticles, TheTruthAndEverySchemePass) {
   for (const double dt : {1.0 / 60, 1e-3}) {
     const World world = Thrown(0.8, dt);
     const Trajectory exact = Sampled(world, [&](double t) {
@@ -55,28 +55,28 @@ TEST(ParticleFlight, TheTruthAndEverySchemePass) {
                                       world.gravity_W, 0.8, t)};
       return state;
     });
-    EXPECT_TRUE(Passes(Judge(world, exact, ClaimOf("particle_flight"))));
+    EXPECT_TRUE(Passes(Judge(world, exact, ClaimOf("ballistic"))));
     for (const FlightScheme& scheme : FlightSchemes()) {
       EXPECT_TRUE(
-          Passes(Judge(world, Flown(world, scheme, 0.8), ClaimOf("particle_flight"))));
+          Passes(Judge(world, Flown(world, scheme, 0.8), ClaimOf("ballistic"))));
     }
   }
 }
 
-TEST(ParticleFlight, FindsDampingPerStepInsteadOfPerSecond) {
+TEST(BallisticOfDampedParticles, FindsDampingPerStepInsteadOfPerSecond) {
   // Millington's printed form keeps `damping` of the velocity: here e^{-0.8} read as 0.8.
   const World world = Thrown(0.8);
   EXPECT_TRUE(
-      Finds(Judge(world, Flown(world, {}, -std::log(0.8)), ClaimOf("particle_flight")),
+      Finds(Judge(world, Flown(world, {}, -std::log(0.8)), ClaimOf("ballistic")),
             MeasureKind::kVelocityError));
-  EXPECT_TRUE(Finds(Judge(world, Flown(world, {}, 0.82), ClaimOf("particle_flight")),
+  EXPECT_TRUE(Finds(Judge(world, Flown(world, {}, 0.82), ClaimOf("ballistic")),
                     MeasureKind::kPositionError));
 }
 
-TEST(ParticleFlight, KnowsItsNumberAndRefusesHeldParticles) {
+TEST(BallisticOfDampedParticles, KnowsItsNumberAndRefusesHeldParticles) {
   World world = Thrown(0.8);
   EXPECT_TRUE(
-      FaultsOf(world, ClaimOf("particle_flight", {"dust"},
+      FaultsOf(world, ClaimOf("ballistic", {"dust"},
                               {{"expected_terminal_speed", kGravity.norm() / 0.8}}))
           .empty());
   world.springs.push_back({{AnchorKind::kWorld, -1, {0, 0, 0}},
@@ -84,7 +84,7 @@ TEST(ParticleFlight, KnowsItsNumberAndRefusesHeldParticles) {
                            1,
                            0,
                            1});
-  EXPECT_EQ(FaultsOf(world, ClaimOf("particle_flight")).size(), 1U);
+  EXPECT_EQ(FaultsOf(world, ClaimOf("ballistic")).size(), 1U);
 }
 
 World Dropped(double bounce) {
@@ -113,41 +113,41 @@ Trajectory Bounced(const World& world, double bounce, double along = 1) {
   });
 }
 
-TEST(ParticleBounce, ASteppedMotionPasses) {
+TEST(BounceSeriesOfParticles, ASteppedMotionPasses) {
   for (const double bounce : {0.0, 0.5, 0.9}) {
     const World world = Dropped(bounce);
-    EXPECT_TRUE(Passes(Judge(world, Bounced(world, bounce), ClaimOf("particle_bounce"))))
+    EXPECT_TRUE(Passes(Judge(world, Bounced(world, bounce), ClaimOf("bounce_series"))))
         << bounce;
   }
 }
 
-TEST(ParticleBounce, FindsAnotherRestitutionAndFriction) {
+TEST(BounceSeriesOfParticles, FindsAnotherRestitutionAndFriction) {
   const World world = Dropped(0.7);
-  EXPECT_TRUE(Finds(Judge(world, Bounced(world, 0.8), ClaimOf("particle_bounce")),
+  EXPECT_TRUE(Finds(Judge(world, Bounced(world, 0.8), ClaimOf("bounce_series")),
                     MeasureKind::kRestitution));
-  EXPECT_TRUE(Finds(Judge(world, Bounced(world, 0.7, 0.7), ClaimOf("particle_bounce")),
+  EXPECT_TRUE(Finds(Judge(world, Bounced(world, 0.7, 0.7), ClaimOf("bounce_series")),
                     MeasureKind::kPositionError));
 }
 
-TEST(ParticleBounce, KnowsItsNumbersAndRefusesDampedParticles) {
+TEST(BounceSeriesOfParticles, KnowsItsNumbersAndRefusesDampedParticles) {
   World world = Dropped(0.8);
-  EXPECT_TRUE(FaultsOf(world, ClaimOf("particle_bounce", {},
+  EXPECT_TRUE(FaultsOf(world, ClaimOf("bounce_series", {},
                                       {{"expected_first_apex", 0.64},
                                        {"expected_total_time", 4.063712769}}))
                   .empty());
   world.particles[0].damping = 0.1;
-  EXPECT_EQ(FaultsOf(world, ClaimOf("particle_bounce")).size(), 1U);
+  EXPECT_EQ(FaultsOf(world, ClaimOf("bounce_series")).size(), 1U);
 }
 
-TEST(TurnsOnce, particle_flight) {
+TEST(TurnsOnce, ballistic_of_a_damped_particle) {
   const World world = Thrown(0.8);
   EXPECT_TRUE(TurnsOnce(world, Flown(world, FlightSchemes()[0], 0.8),
-                        ClaimOf("particle_flight")));
+                        ClaimOf("ballistic")));
 }
 
-TEST(TurnsOnce, particle_bounce) {
+TEST(TurnsOnce, bounce_series_of_a_particle) {
   const World world = Dropped(0.5);
-  EXPECT_TRUE(TurnsOnce(world, Bounced(world, 0.5), ClaimOf("particle_bounce")));
+  EXPECT_TRUE(TurnsOnce(world, Bounced(world, 0.5), ClaimOf("bounce_series")));
 }
 
 }  // namespace
