@@ -210,17 +210,24 @@ std::vector<Worst> JudgeBy(RowRule rule, double gap, const Motion& motion,
   const RowOfBalls truth = row.By(rule, gap);
   const double h = motion.world.dt;
   const Strikes strikes(truth, h);
+  std::vector<std::vector<RowBall>> balls;
+  std::vector<double> lag;  // By which the impacts so far may be late. [m]
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    balls.push_back(truth.At(t));
+    const RowOfBalls::Past past = truth.PastAt(t + h);
+    lag.push_back(past.moments * h * past.change);
+  }
   std::vector<Prediction> predictions;
   for (std::size_t i = 0; i < row.bodies.size(); ++i) {
     const RigidBody& body = motion.world.bodies[static_cast<std::size_t>(row.bodies[i])];
     predictions.push_back(
         {body.name, StateOfBody(row.bodies[i]), [&, i](std::size_t s) {
            const double t = motion.trajectory.times[s];
-           const RowBall ball = truth.At(t)[i];
-           const RowOfBalls::Past past = truth.PastAt(t + h);
+           const RowBall& ball = balls[s][i];
            PredictedState predicted;
            predicted.position = {row.p_W + ball.x * row.d_W,
-                                 {.scheme = past.moments * h * past.change,
+                                 {.scheme = lag[s],
                                   .solved = row.speed * t,
                                   .computed = row.p_W.norm() + std::abs(ball.x)}};
            if (!strikes.May(i, t))

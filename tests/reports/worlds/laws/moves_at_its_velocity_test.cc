@@ -1,11 +1,10 @@
-#include "reports/worlds/laws/every_law.h"
-
 #include <numbers>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/worlds/laws/every_law.h"
 #include "reports/worlds/truth/mechanics.h"
 #include "tests/reports/worlds/motions.h"
 

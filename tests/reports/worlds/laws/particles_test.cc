@@ -57,8 +57,7 @@ TEST(BallisticOfDampedParticles, TheTruthAndEverySchemePass) {
     });
     EXPECT_TRUE(Passes(Judge(world, exact, ClaimOf("ballistic"))));
     for (const FlightScheme& scheme : FlightSchemes()) {
-      EXPECT_TRUE(
-          Passes(Judge(world, Flown(world, scheme, 0.8), ClaimOf("ballistic"))));
+      EXPECT_TRUE(Passes(Judge(world, Flown(world, scheme, 0.8), ClaimOf("ballistic"))));
     }
   }
 }
@@ -66,9 +65,8 @@ TEST(BallisticOfDampedParticles, TheTruthAndEverySchemePass) {
 TEST(BallisticOfDampedParticles, FindsDampingPerStepInsteadOfPerSecond) {
   // Millington's printed form keeps `damping` of the velocity: here e^{-0.8} read as 0.8.
   const World world = Thrown(0.8);
-  EXPECT_TRUE(
-      Finds(Judge(world, Flown(world, {}, -std::log(0.8)), ClaimOf("ballistic")),
-            MeasureKind::kVelocityError));
+  EXPECT_TRUE(Finds(Judge(world, Flown(world, {}, -std::log(0.8)), ClaimOf("ballistic")),
+                    MeasureKind::kVelocityError));
   EXPECT_TRUE(Finds(Judge(world, Flown(world, {}, 0.82), ClaimOf("ballistic")),
                     MeasureKind::kPositionError));
 }
@@ -85,6 +83,24 @@ TEST(BallisticOfDampedParticles, KnowsItsNumberAndRefusesHeldParticles) {
                            0,
                            1});
   EXPECT_EQ(FaultsOf(world, ClaimOf("ballistic")).size(), 1U);
+}
+
+TEST(BallisticOfDampedParticles, JudgesThemBesideBodiesWithoutDamping) {
+  World world = Thrown(0.8);
+  world.bodies = {BodyOf("ball", Sphere{0.5}, 1, {0, 1, 0})};
+  const auto flown = [&](double drag_of_ball) {
+    return Stepped(world, [&world, drag_of_ball](WorldState& state) {
+      StepFlight({}, world.gravity_W, 0.8, world.dt, state.particles[0]);
+      BodyState& ball = state.bodies[0];
+      PointState is{ball.p_WB, ball.v_WB};
+      StepFlight({}, world.gravity_W, drag_of_ball, world.dt, is);
+      ball.p_WB = is.p_W;
+      ball.v_WB = is.v_W;
+    });
+  };
+  EXPECT_TRUE(Passes(Judge(world, flown(0), ClaimOf("ballistic"))));
+  EXPECT_TRUE(Finds(Judge(world, flown(1e-6), ClaimOf("ballistic")),
+                    MeasureKind::kVelocityError));
 }
 
 World Dropped(double bounce) {
@@ -141,8 +157,8 @@ TEST(BounceSeriesOfParticles, KnowsItsNumbersAndRefusesDampedParticles) {
 
 TEST(TurnsOnce, ballistic_of_a_damped_particle) {
   const World world = Thrown(0.8);
-  EXPECT_TRUE(TurnsOnce(world, Flown(world, FlightSchemes()[0], 0.8),
-                        ClaimOf("ballistic")));
+  EXPECT_TRUE(
+      TurnsOnce(world, Flown(world, FlightSchemes()[0], 0.8), ClaimOf("ballistic")));
 }
 
 TEST(TurnsOnce, bounce_series_of_a_particle) {
