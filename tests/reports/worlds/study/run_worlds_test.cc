@@ -523,16 +523,17 @@ TEST(ErrorsOfClaims, IncludeTheFaultsOfTheLaw) {
 
 TEST(ErrorsOfClaims, RefuseANumberThatNoLawReads) {
   WorldScenario scenario = Flight("world/test/a", 10);
-  scenario.claims = {ClaimOf("conserves_momentum"), ClaimOf("ballistic"),
+  scenario.claims = {ClaimOf("conserves_momentum"), ClaimOf("energy_never_rises"),
                      ClaimOf(std::string(kDeterministic))};
   for (Claim& claim : scenario.claims) claim.numbers["expected_bounce"] = 1;
   EXPECT_THAT(
       ErrorsIn(scenario),
-      ElementsAre(testing::HasSubstr("unknown key \"expected_bounce\" in "
-                                     "claims[0].numbers; expected one of "
-                                     "expected_momentum, x, y, z"),
-                  testing::HasSubstr("expected none: ballistic takes no numbers"),
-                  testing::HasSubstr("expected none: deterministic takes no numbers")));
+      ElementsAre(
+          testing::HasSubstr("unknown key \"expected_bounce\" in "
+                             "claims[0].numbers; expected one of "
+                             "expected_momentum, x, y, z"),
+          testing::HasSubstr("expected none: energy_never_rises takes no numbers"),
+          testing::HasSubstr("expected none: deterministic takes no numbers")));
 }
 
 TEST(ErrorsOfClaims, SayWhatGainAStableWorldNeeds) {
