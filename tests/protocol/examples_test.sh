@@ -1,7 +1,7 @@
 #!/bin/bash
-# Runs one of the programs of docs/examples/oracles as the subject of Touchstone.
+# Runs one of the programs of docs/examples/oracles as the subject of Touchstone, or the tutorial.
 #
-#   examples_test.sh TOUCHSTONE package|balls.py|bouncing_ball.py|rust|node BUILD_FOLDER
+#   examples_test.sh TOUCHSTONE package|tutorial|balls.py|bouncing_ball.py|rust|node BUILD_FOLDER
 #
 # "package" runs the tests of the Python package and of the schema. Exit code 77 if what the example needs is
 # not installed.
@@ -59,6 +59,11 @@ case $example in
     "$python" "$root/tests/protocol/schema_test.py" \
       "$root/docs/oracle_protocol.schema.json" "$root"/tests/oracles/protocol/transcripts/*.txt
     ;;
+  tutorial)
+    need_python
+    PATH=$(dirname "$(command -v "$python")"):$(dirname "$touchstone"):$PATH \
+      "$python" "$root/tests/protocol/tutorial_test.py" "$root/docs/tutorial.md"
+    ;;
   balls.py)
     need_python
     check_balls "$python '$folder/balls.py'"
@@ -82,7 +87,7 @@ case $example in
     check_balls "node '$folder/node/balls.mjs'"
     ;;
   *)
-    echo "no example \"$example\"; expected package, balls.py, bouncing_ball.py, rust or node"
+    echo "no example \"$example\"; expected package, tutorial, balls.py, bouncing_ball.py, rust or node"
     exit 2
     ;;
 esac
