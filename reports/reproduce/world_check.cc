@@ -218,7 +218,9 @@ class Search {
   std::vector<Claim> Claims() const {
     std::vector<Claim> claims;
     for (const Claim& claim : scenario_.claims)
-      if (claim.law == finding_.law) claims.push_back(claim);
+      // A claim may have the older name of its law.
+      if (const Law* law = FindLaw(claim.law); law && law->name == finding_.law)
+        claims.push_back(claim);
     if (finding_.universal) claims.emplace_back().law = finding_.law;
     return claims;
   }

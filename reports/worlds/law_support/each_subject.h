@@ -42,8 +42,8 @@ struct ConditionsOfPoint {
 std::vector<Fault> FaultsOfEachPoint(const World& world, const Claim& claim,
                                      const ConditionsOfPoint& conditions);
 
-/** Returns the same for a law that takes exactly one body; `one` names it, as in "one
- sphere". */
+/** Returns the same for a claim about exactly one body; `one` says what a claim may be
+ about, as in "one box". */
 std::vector<Fault> FaultsOfOneBody(const World& world, const Claim& claim,
                                    std::string_view one, const Conditions& conditions);
 

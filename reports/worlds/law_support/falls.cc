@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/energy_bound.h"
 #include "reports/worlds/law_support/envelope.h"

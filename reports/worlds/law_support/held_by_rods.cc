@@ -16,6 +16,9 @@ namespace {
  as rounding. [-] */
 constexpr double kSameLength = 1e-9;
 
+/** Part of a speed that may be along a rod; velocities have nine digits. [-] */
+constexpr double kAlongRod = 1e-9;
+
 /** Returns the rod between `point` and an anchor accepted by `is_other_end`; null if
  there is none or more than one. */
 template <typename IsOtherEnd>
@@ -106,6 +109,13 @@ std::string WhyNoChain(const World& world, const std::vector<PointMass>& points)
         kSameLength * rod->length)
       return fmt::format("is {}, whose rod does not have its length at the start",
                          point.name);
+    const Eigen::Vector3d arm_W = point.start.p_W - above;
+    const Eigen::Vector3d& v_W = point.start.v_W;
+    const Eigen::Vector3d v_above_W =
+        i == 0 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : points[i - 1].start.v_W;
+    if (std::abs(arm_W.dot(v_W - v_above_W)) >
+        kAlongRod * arm_W.norm() * (v_W.norm() + v_above_W.norm()))
+      return fmt::format("is {}, which starts along its rod", point.name);
   }
   return "";
 }

@@ -19,7 +19,7 @@ struct HeldByRods {
 
 /** Returns the reason why the points are not a chain; empty if they are. In a chain the
  first point is on a rod to a fixed point and each other one on a rod to its predecessor.
- The rods have their lengths at the start, and gravity is the only load. */
+ The rods have their lengths at the start and keep them, and gravity is the only load. */
 std::string WhyNoChain(const World& world, const std::vector<PointMass>& points);
 
 /** Returns that chain. @pre WhyNoChain() is empty. */

@@ -92,9 +92,9 @@ struct Law {
    order of the engine's scheme as the step goes to 0, so the order and the limit are
    judged too. */
   bool smooth = false;
-  /** Returns the predicted positions of the centre of the claim's first subject at
-   `times` [s], ascending, for display: those until which the claim is judged. Null if the
-   law predicts no position. World frame. [m] */
+  /** Returns the predicted positions of the centre of the claim's first subject, at those
+   of `times` [s], ascending, at which the claim is judged: the first ones. Null if the
+   law predicts no position. World frame. [m] @pre faults() is empty. */
   std::vector<Eigen::Vector3d> (*places)(const World& world, const Claim& claim,
                                          const std::vector<double>& times) = nullptr;
   /** Whether the motion has impacts. They fall anywhere within their steps: halving the

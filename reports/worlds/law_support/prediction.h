@@ -12,8 +12,8 @@
 
 namespace touchstone {
 
-/** How far a right engine may be from a number that a law predicts. Predictions have no
- other tolerance than ToleranceOf() this. [unit of the number] */
+/** How far a right engine may be from a number that a law predicts. JudgePredictions()
+ grants no more than ToleranceOf() this. [unit of the number] */
 struct Allowed {
   /** The error of legal schemes of first order, or of an event at an unknown phase of its
    step. */
@@ -80,7 +80,7 @@ struct WordsOfPrediction {
 
 /** Judges the motion by what a law predicts, sample by sample. Returns the worst of
  positions, of velocities and of spins, in this order, as far as anything was predicted of
- them. */
+ them. @pre The motion has samples. */
 std::vector<Worst> JudgePredictions(const Motion& motion, const WordsOfPrediction& words,
                                     const std::vector<Prediction>& predictions);
 

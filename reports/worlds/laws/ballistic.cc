@@ -124,26 +124,41 @@ NearestScheme FromEuler(const Motion& motion, const std::vector<Flight>& flights
   return scheme;
 }
 
-std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
-  const std::vector<Flight> flights = FlightsOf(motion.world, claim);
-  const bool any_damped =
-      std::any_of(flights.begin(), flights.end(),
-                  [](const Flight& f) { return f.point.damping > 0; });
-  const AllowedWords stepped = {
-      .scheme =
-          "the largest error so far of first-order schemes, stepped next to the truth"};
+/** Judges flights that are all damped, or all not. */
+std::vector<LawFinding> JudgeAlike(const Motion& motion,
+                                   const std::vector<Flight>& flights, bool damped) {
+  if (flights.empty()) return {};
   std::vector<Prediction> predictions;
   predictions.reserve(flights.size());
   for (const Flight& flight : flights) predictions.push_back(Predict(motion, flight));
+  const AllowedWords stepped = {
+      .scheme =
+          "the largest error so far of first-order schemes, stepped next to the truth"};
+  if (damped) {
+    return FindingsOf(
+        JudgePredictions(motion,
+                         {.position = {stepped, "its damped flight leads to"},
+                          .velocity = {stepped, "its damped flight has it moving at"}},
+                         predictions));
+  }
   std::vector<LawFinding> findings = FindingsOf(JudgePredictions(
       motion,
-      {.position = {stepped,
-                    any_damped ? "its damped flight leads to" : "x₀ + v₀ t + ½ a t² is"},
-       .velocity = {any_damped ? stepped : AllowedWords{},
-                    any_damped ? "its damped flight has it moving at" : "v₀ + a t is"}},
+      {.position = {stepped, "x₀ + v₀ t + ½ a t² is"}, .velocity = {{}, "v₀ + a t is"}},
       predictions));
-  if (!any_damped) findings.front().scheme = FromEuler(motion, flights);
+  findings.front().scheme = FromEuler(motion, flights);
   return findings;
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  std::vector<Flight> flights = FlightsOf(motion.world, claim);
+  const auto undamped =
+      std::stable_partition(flights.begin(), flights.end(),
+                            [](const Flight& f) { return f.point.damping > 0; });
+  const std::vector<Flight> free(undamped, flights.end());
+  flights.erase(undamped, flights.end());
+  return WorstOfEach({0, 1}, [&](int damped) {
+    return damped ? JudgeAlike(motion, flights, true) : JudgeAlike(motion, free, false);
+  });
 }
 
 std::vector<Eigen::Vector3d> Places(const World& world, const Claim& claim,
@@ -166,7 +181,7 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_terminal_speed"}
 
  Tolerance: 1.5 times the largest error so far of eight schemes that are stepped next to
  the truth: damping or gravity first, position or velocity first, and damping by e^(−c h)
- or by 1 − c h. All are of first order, and they differ by one step. Without damping they
+ or by 1 − c h. All are of first order. Without damping they
  are semi-implicit and explicit Euler, off by ±½ a h t in position and exact in velocity:
  N steps of v += a h, x += v h sum to v₀ t + a h² N (N+1)/2. 64 roundings per step are
  added.

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <ranges>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/held_by_rods.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
@@ -18,7 +18,7 @@
 namespace touchstone {
 namespace {
 
-/** Part of a speed that may be across the plane of the swing or along the rod. [-] */
+/** Part of a speed that may be across the plane of the swing. [-] */
 constexpr double kInPlane = 1e-9;
 
 /** Smallest 1 + cos θ at which a mass at rest does not count as balanced above its pivot.
@@ -30,7 +30,6 @@ constexpr std::string_view kUntil = "until";
 
 /** A pendulum at p + L (sin θ x̂ + cos θ ĝ). */
 struct Swinging {
-  HeldByRods held;
   Eigen::Vector3d p_W;
   Eigen::Vector3d x_W;
   Eigen::Vector3d down_W;
@@ -41,8 +40,7 @@ struct Swinging {
 
 Swinging SwingingOf(const World& world, const std::vector<PointMass>& points) {
   Swinging swinging;
-  swinging.held = ChainOf(world, points);
-  const Rod& rod = swinging.held.system.rods.front();
+  const Rod rod = ChainOf(world, points).system.rods.front();
   const PointState& start = points.front().start;
   const Eigen::Vector3d arm_W = start.p_W - rod.p_W;
   swinging.p_W = rod.p_W;
@@ -70,10 +68,8 @@ std::string WhyNoPlaneSwing(const World& world, const std::vector<PointMass>& po
   if (world.gravity_W.isZero(0)) return "is in a world without gravity";
   const Swinging swinging = SwingingOf(world, points);
   const Eigen::Vector3d& v_W = points.front().start.v_W;
-  const Eigen::Vector3d arm_W = points.front().start.p_W - swinging.p_W;
   const Eigen::Vector3d across_W = swinging.x_W.cross(swinging.down_W);
-  if (std::abs(v_W.dot(across_W)) > kInPlane * v_W.norm() ||
-      std::abs(v_W.dot(arm_W)) > kInPlane * v_W.norm() * swinging.length)
+  if (std::abs(v_W.dot(across_W)) > kInPlane * v_W.norm())
     return "does not start along a circle in a vertical plane";
   if (1 + std::cos(swinging.start.theta) < kOnHead && v_W.isZero(0))
     return "is balanced above its pivot";
@@ -95,8 +91,10 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
              : "first a mass on a rod to a fixed point, then each on a rod to the one "
                "before"}};
   }
-  if (NumberOr(claim, kUntil, 1) <= 0)
-    return {{"numbers.until", "is not positive", "a time > 0"}};
+  if (NumberOr(claim, kUntil, HUGE_VAL) < SampleSpacing(world)) {
+    return {{"numbers.until", "is before the first sample after the start",
+             fmt::format("at least {:g} s", SampleSpacing(world))}};
+  }
   if (!one) return FaultsOfNumbers(claim, {});
   const Swinging swinging = SwingingOf(world, points);
   return FaultsOfNumbers(
@@ -117,7 +115,7 @@ PointState At(const Swinging& swinging, const PendulumAngle& angle) {
 std::vector<std::vector<PointState>> TruthOf(const World& world, const Claim& claim,
                                              const HeldByRods& held,
                                              const std::vector<double>& times) {
-  const double until = NumberOr(claim, kUntil, std::numeric_limits<double>::infinity());
+  const double until = NumberOr(claim, kUntil, HUGE_VAL);
   std::vector<std::vector<PointState>> truth;
   const auto is_judged = [&](double t) { return t <= until; };
   if (held.points.size() == 1) {

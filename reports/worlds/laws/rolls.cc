@@ -93,7 +93,7 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
  [m/s], [rad/s], [m]
 
  Friction supplies k/(1 + k) |a_t|, at most μ a_n. The tolerances are those of a slope
- (laws/incline.h).
+ (laws/incline.cc).
 
  About: spheres, and capsules and cylinders that move across their axis, that start
  rolling, to 1e-9 of their speed. Numbers:

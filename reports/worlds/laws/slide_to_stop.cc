@@ -97,8 +97,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
         .position = {{body.placed.X_WB.p_WB + cone.frame * slip.travelled,
                       {.scheme = slowed * h / 2 + brake * h * h + on.Settling(h),
                        .solved = v_0 * std::min(t, stop),
-                       .computed = body.placed.X_WB.p_WB.norm() +
-                                   v_0 * std::max(0.0, t - stop)}}}};
+                       .computed = body.placed.X_WB.p_WB.norm()}}}};
   };
   std::vector<Worst> found = JudgePredictions(
       motion,

@@ -126,7 +126,7 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_rolling_speed",
  − s₀)/(1 + 1/k), since the angular momentum about the contact is conserved: the velocity
  of rolling does not depend on μ.
 
- The velocity is exact to the solver's residual, as on a slope (laws/incline.h); in the
+ The velocity is exact to the solver's residual, as on a slope (laws/incline.cc); in the
  step in which slip ends, to μ g h. Position: ½ h (v₀ − v) and the settling distance, ×
  1.5. 64 roundings per step are added. Solvers with two friction directions end the slip
  along another path with the same rolling velocity; such motions are recognised.

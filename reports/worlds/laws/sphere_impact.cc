@@ -4,8 +4,6 @@
 #include <limits>
 #include <string_view>
 
-#include <fmt/format.h>
-
 #include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/landing.h"
 #include "reports/worlds/law_support/numbers.h"

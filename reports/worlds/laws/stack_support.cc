@@ -106,7 +106,7 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_weight"};
  The force is the mean over the second half of the motion, of duration T. Momentum
  balances whatever the solver does. So the mean is off by the momentum that the levels
  from k on gain in T, over T, × 1.5. At rest that is at most the contacts' 2 g h per level
- (laws/rests.h), at both ends of T. 64 roundings per step are added.
+ (laws/rests.cc), at both ends of T. 64 roundings per step are added.
 
  Judges only engines that report contact impulses. About: bodies from the lowest to the
  highest, each on its predecessor, the first on something static. Numbers: expected_weight

@@ -152,15 +152,15 @@ class Judgement {
     if (all.empty()) {
       Finding& unverified =
           Add(MeasureKind::kAnswering, 0, {0, "an answer is an answer"});
-      unverified.law = claim.law;
+      unverified.law = law.name;
       unverified.verdict = Verdict::kUnsupported;
       unverified.proof =
-          fmt::format("{}: this motion gives the law nothing to judge", claim.law);
+          fmt::format("{}: this motion gives the law nothing to judge", law.name);
     }
     for (const LawFinding& found : all) Add(found, law, claim, law.name);
     if (law.smooth && study_.half && study_.quarter) JudgeConvergence();
     if (law.has_impacts && study_.quarter) JudgeNearLimit(law, claim);
-    AddSeconds(claim.law, watch);
+    AddSeconds(law.name, watch);
   }
 
   /** Judges by a law that no claim of the file states. Engines that give it nothing to
@@ -170,11 +170,12 @@ class Judgement {
     const std::string true_of_all = fmt::format("{}, true of every motion", law.name);
     for (const LawFinding& found : FoundBy(law, claim))
       Add(found, law, claim, true_of_all).universal = true;
-    AddSeconds(claim.law, watch);
+    AddSeconds(law.name, watch);
   }
 
-  void AddSeconds(const std::string& law, const Stopwatch& watch) const {
-    if (study_.seconds_of_laws) (*study_.seconds_of_laws)[law] += watch.seconds();
+  void AddSeconds(std::string_view law, const Stopwatch& watch) const {
+    if (study_.seconds_of_laws)
+      (*study_.seconds_of_laws)[std::string(law)] += watch.seconds();
   }
 
   /** Judges by one plain expectation of the file. */
@@ -194,7 +195,7 @@ class Judgement {
   Finding& Add(const LawFinding& found, const Law& law, const Claim& claim,
                std::string_view name) {
     Finding& finding = Add(found, found.measure, name);
-    finding.law = claim.law;
+    finding.law = law.name;
     if (finding.verdict == Verdict::kFail) Attribute(finding, found.grants, law, claim);
     return finding;
   }
@@ -337,14 +338,14 @@ class Judgement {
               {tolerance,
                "the extrapolated motion is off by less than the last halving of the "
                "step changes it, plus rounding"});
-      finding.law = claim.law;
+      finding.law = law->name;
       if (finding.value <= finding.tolerance) continue;
       finding.verdict = Verdict::kFail;
       finding.cause = Cause::kModel;
       finding.cause_because = "it converges to a motion other than the truth";
       finding.proof = fmt::format(
           "{}: as the step goes to 0, {} converges to a motion that is {:.6g} m off",
-          claim.law, study_.oracle.name, *error);
+          law->name, study_.oracle.name, *error);
     }
   }
 
@@ -357,8 +358,8 @@ class Judgement {
       if (found.measure != MeasureKind::kPositionError) continue;
       LawFinding near = found;
       near.tolerance.because = "at a quarter of the step: " + near.tolerance.because;
-      Finding& finding =
-          Add(near, MeasureKind::kLimitError, claim.law + ": at a quarter of the step");
+      Finding& finding = Add(near, MeasureKind::kLimitError,
+                             std::string(law.name) + ": at a quarter of the step");
       if (finding.verdict != Verdict::kFail) continue;
       finding.cause = Cause::kDefect;
       finding.cause_because = "it does not approach the truth as the step shrinks";

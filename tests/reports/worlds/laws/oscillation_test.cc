@@ -384,6 +384,32 @@ TEST(PendulumOfTwo, FindsAnotherMassAndTakesPointsInOrder) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("pendulum", {"mass1", "mass0"})).size(), 1U);
 }
 
+TEST(PendulumOfTwo, RefusesAMotionAlongARodAndAnotherHold) {
+  World world = Hung(2);
+  const Eigen::Vector3d along = world.particles[0].p_W;
+  world.particles[1].v_W = along;
+  EXPECT_EQ(FaultsOf(world, ClaimOf("pendulum")).size(), 1U);
+  // Both move along, so the first leaves its fixed point.
+  world.particles[0].v_W = along;
+  EXPECT_EQ(FaultsOf(world, ClaimOf("pendulum")).size(), 1U);
+  for (const int held : {0, 1}) {
+    world = Hung(2);
+    world.joints.push_back({{AnchorKind::kWorld, -1, {0, 3, 0}},
+                            {AnchorKind::kParticle, held, {0, 0, 0}},
+                            1});
+    EXPECT_EQ(FaultsOf(world, ClaimOf("pendulum")).size(), 1U);
+  }
+}
+
+TEST(Pendulum, IsJudgedAtASampleAfterTheStart) {
+  const World world = Hung(1);
+  for (const double until : {-1.0, 0.0, 0.003}) {
+    EXPECT_EQ(FaultsOf(world, ClaimOf("pendulum", {}, {{"until", until}})).front().where,
+              "numbers.until");
+  }
+  EXPECT_TRUE(FaultsOf(world, ClaimOf("pendulum", {}, {{"until", 0.004}})).empty());
+}
+
 TEST(PendulumOfTwo, HasNoPeriod) {
   EXPECT_EQ(FaultsOf(Hung(2), ClaimOf("pendulum", {}, {{"expected_period", 2.4}})).size(),
             1U);

@@ -99,8 +99,26 @@ TEST(BallisticOfDampedParticles, JudgesThemBesideBodiesWithoutDamping) {
     });
   };
   EXPECT_TRUE(Passes(Judge(world, flown(0), ClaimOf("ballistic"))));
-  EXPECT_TRUE(Finds(Judge(world, flown(1e-6), ClaimOf("ballistic")),
-                    MeasureKind::kVelocityError));
+  const std::vector<LawFinding> found = Judge(world, flown(1e-6), ClaimOf("ballistic"));
+  EXPECT_TRUE(Finds(found, MeasureKind::kVelocityError));
+  // The ball is granted nothing for the damping of the particle.
+  const LawFinding velocity = Of(found, MeasureKind::kVelocityError);
+  EXPECT_EQ(velocity.grants, Grants::kRounding);
+  EXPECT_EQ(velocity.tolerance.because, "64 roundings per step");
+}
+
+TEST(BallisticOfDampedParticles, RefusesATerminalSpeedThatIsNotThatOfAll) {
+  World world = Thrown(0.8);
+  const Claim claim =
+      ClaimOf("ballistic", {}, {{"expected_terminal_speed", kGravity.norm() / 0.8}});
+  EXPECT_TRUE(FaultsOf(world, claim).empty());
+  world.particles.push_back(world.particles.front());
+  world.particles.back().name = "smoke";
+  EXPECT_TRUE(FaultsOf(world, claim).empty());
+  world.particles.back().damping = 0.4;
+  EXPECT_EQ(FaultsOf(world, claim).size(), 1U);
+  world.particles.back().damping = 0;
+  EXPECT_EQ(FaultsOf(world, claim).size(), 1U);
 }
 
 World Dropped(double bounce) {
@@ -143,6 +161,47 @@ TEST(BounceSeriesOfParticles, FindsAnotherRestitutionAndFriction) {
                     MeasureKind::kRestitution));
   EXPECT_TRUE(Finds(Judge(world, Bounced(world, 0.7, 0.7), ClaimOf("bounce_series")),
                     MeasureKind::kPositionError));
+}
+
+/** A grain and a ball, which fall side by side; the ball first if `ball_first`. Each rule
+ is that of one of them: its velocity after gravity is reflected, or the one before. */
+std::vector<LawFinding> JudgedTogether(bool grain_after, bool ball_after) {
+  World world = Dropped(0.8);
+  RigidBody ball = BodyOf("ball", Sphere{0.25}, 1, {2, 3.25, 0});
+  ball.restitution = 0.8;
+  world.bodies.insert(world.bodies.begin(), ball);
+  world.bodies[1].restitution = 1;
+  const double gh = 9.81 * world.dt;
+  const auto step = [gh](double gap, double& v, bool after) {
+    if (gap <= 0 && v < gh)
+      v = after ? -0.8 * (v - gh) : std::max(v - gh, -0.8 * v);
+    else
+      v -= gh;
+  };
+  const Trajectory motion = Stepped(world, [&](WorldState& state) {
+    PointState& grain = state.particles[0];
+    BodyState& is = state.bodies[0];
+    step(grain.p_W.y(), grain.v_W.y(), grain_after);
+    step(is.p_WB.y() - 0.25, is.v_WB.y(), ball_after);
+    grain.p_W += world.dt * grain.v_W;
+    is.p_WB += world.dt * is.v_WB;
+  });
+  return Judge(world, motion, ClaimOf("bounce_series", {"grain", "ball"}));
+}
+
+TEST(BounceSeriesOfParticles, AreJudgedBesideBodies) {
+  EXPECT_TRUE(Passes(JudgedTogether(false, false)));
+}
+
+TEST(BounceSeriesOfParticles, AllFallsMustFollowTheRecognisedRule) {
+  EXPECT_EQ(Of(JudgedTogether(true, true), MeasureKind::kPositionError).recognised,
+            "reflects the velocity after gravity");
+  for (const bool grain_after : {false, true}) {
+    const LawFinding found =
+        Of(JudgedTogether(grain_after, !grain_after), MeasureKind::kPositionError);
+    EXPECT_TRUE(IsBeyond(found)) << grain_after;
+    EXPECT_EQ(found.recognised, "") << grain_after;
+  }
 }
 
 TEST(BounceSeriesOfParticles, KnowsItsNumbersAndRefusesDampedParticles) {
