@@ -35,9 +35,9 @@ class Envelope {
   template <typename Step, typename Off>
   void Include(Step&& step, Off&& off) {
     Apart so_far;
-    double done = 0;
+    long done = 0;
     for (std::size_t s = 0; s < largest_.size(); ++s) {
-      for (; done < StepsBefore(motion_, s); ++done) step();
+      for (; done < WholeStepsBefore(motion_, s); ++done) step();
       so_far.TakeLarger(off(s));
       largest_[s].TakeLarger(so_far);
     }

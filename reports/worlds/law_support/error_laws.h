@@ -45,6 +45,11 @@ inline double StepsBefore(const Motion& motion, std::size_t s) {
   return std::round(motion.trajectory.times[s] / motion.world.dt);
 }
 
+/** Returns that number as a counter of steps. */
+inline long WholeStepsBefore(const Motion& motion, std::size_t s) {
+  return std::lround(StepsBefore(motion, s));
+}
+
 /** Returns the longest time from one sample to the next. [s] */
 inline double SampleSpacing(const World& world) {
   return world.dt * world.sample_every;

@@ -61,9 +61,9 @@ std::vector<Height> HeightsAfterGravity(const Motion& motion, const Fall& fall) 
   SteppedBounces stepped =
       Stepped(motion, fall, BounceRule::kAfterGravity, ContactSeen::kTouching);
   std::vector<Height> heights;
-  double done = 0;
+  long done = 0;
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
-    for (; done < StepsBefore(motion, s); ++done) stepped.Step();
+    for (; done < WholeStepsBefore(motion, s); ++done) stepped.Step();
     heights.push_back(stepped.state);
   }
   return heights;

@@ -149,9 +149,9 @@ std::vector<Swing> SteppedAlong(const Motion& motion, const OnSpring& on,
                                 SwingScheme scheme) {
   std::vector<Swing> along;
   Swing swing = on.start;
-  double done = 0;
+  long done = 0;
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
-    for (; done < StepsBefore(motion, s); ++done)
+    for (; done < WholeStepsBefore(motion, s); ++done)
       swing = Stepped(scheme, on.oscillator, motion.world.dt, swing);
     along.push_back(swing);
   }
