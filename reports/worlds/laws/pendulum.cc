@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -117,18 +116,19 @@ std::vector<std::vector<PointState>> TruthOf(const World& world, const Claim& cl
                                              const std::vector<double>& times) {
   const double until = NumberOr(claim, kUntil, HUGE_VAL);
   std::vector<std::vector<PointState>> truth;
-  const auto is_judged = [&](double t) { return t <= until; };
+  const auto end =
+      std::find_if(times.begin(), times.end(), [&](double t) { return t > until; });
   if (held.points.size() == 1) {
     const Swinging swinging = SwingingOf(world, held.points);
     const Pendulum pendulum(swinging.omega, swinging.start);
-    for (const double t : times | std::views::take_while(is_judged))
-      truth.push_back({At(swinging, pendulum.At(t))});
+    for (auto t = times.begin(); t != end; ++t)
+      truth.push_back({At(swinging, pendulum.At(*t))});
     return truth;
   }
   std::vector<PointState> state = held.Start();
   double reached = 0;
-  for (const double t : times | std::views::take_while(is_judged)) {
-    state = held.system.After(state, t - std::exchange(reached, t));
+  for (auto t = times.begin(); t != end; ++t) {
+    state = held.system.After(state, *t - std::exchange(reached, *t));
     truth.push_back(state);
   }
   return truth;
